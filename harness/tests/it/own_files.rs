@@ -191,13 +191,10 @@ fn a_scene_that_needs_more_memory_than_is_left_is_refused_before_it_is_solved() 
         let told = expect(2, &["solve", "delaunay2d", &points, "--memory", limit, "--out", &out]);
         assert!(told.stderr.contains("a number of GiB greater than zero"), "{}", told.stderr);
     }
-    for task in ["crossings", "snap2d", "hull3d"] {
-        let points = if task == "hull3d" {
-            write(&folder, "s.csv", "x,y,z\n0,0,0\n3,1,0\n1,3,0\n2,2,5\n")
-        } else {
-            points.clone()
-        };
-        let told = expect(2, &["solve", task, &points, "--memory", "1e-9", "--out", &out]);
+    let space = write(&folder, "s.csv", "x,y,z\n0,0,0\n3,1,0\n1,3,0\n2,2,5\n");
+    let lines = write(&folder, "l.wkt", "MULTILINESTRING ((0 0, 3 1), (1 3, 2 0))\n");
+    for (task, scene) in [("crossings", &lines), ("snap2d", &lines), ("hull3d", &space)] {
+        let told = expect(2, &["solve", task, scene, "--memory", "1e-9", "--out", &out]);
         assert!(told.stderr.contains("of memory, and 1.1 B may be used"), "{task}: {}", told.stderr);
     }
     assert!(!std::path::Path::new(&out).exists());

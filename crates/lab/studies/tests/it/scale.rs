@@ -21,12 +21,14 @@ fn every_task_with_scenes_of_any_size_states_a_memory_that_suffices() {
     let rows = rows(&study);
     let mut tasks: Vec<&str> = rows.iter().map(|row| row.task.as_str()).collect();
     tasks.dedup();
-    assert_eq!(tasks, ["crossings", "hull3d", "mesh-intersect", "delaunay2d", "overlay2d", "snap2d"]);
+    assert_eq!(tasks, ["crossings", "hull3d", "delaunay2d", "overlay2d", "snap2d", "mesh-intersect"]);
     for pair in rows.chunks(2) {
         assert!(pair.iter().all(|row| row.outcome == "answered" && row.seconds > 0.0), "{pair:?}");
-        assert!((8..12).contains(&(pair[1].size / pair[0].size)), "sizes are of the scene: {pair:?}");
-        let [small, large] = [&pair[0], &pair[1]].map(|row| row.stated);
-        assert!((8.0..12.0).contains(&(large / small)), "the stated memory grows like the scene: {pair:?}");
+        let [small, large] = [&pair[0], &pair[1]];
+        assert!(large.size >= 8 * small.size, "sizes are of the scene: {pair:?}");
+        let size = |row: &Row| f64::from(u32::try_from(row.size).unwrap());
+        let [sizes, stated] = [size(large) / size(small), large.stated / small.stated];
+        assert!((0.8..1.25).contains(&(stated / sizes)), "the stated memory grows like the scene: {pair:?}");
     }
     assert!(study.holds(&rows), "{rows:?}");
     let much = Row { bytes: 1e9, ..rows[0].clone() };
