@@ -4,10 +4,10 @@
 //! determinant's terms in the v, and A = (V(v + u·m) − V(v))/u. Then
 //!
 //! * det(d) is within u·A of det(D), as every term is;
-//! * the formula for the error is A, which [`Linear::is_the_error`] compares as polynomials;
+//! * the formula for the error is A, which `Linear::is_the_error` compares as polynomials;
 //! * x + y, with fl(x + y) the value, is within e·V of det(d), and the computed V and A have relative errors: Gappa
 //!   bounds these along the formula's operations;
-//! * a product that underflows loses η times factors of its term, each at most an m: [`Linear::underflow`] finds a term
+//! * a product that underflows loses η times factors of its term, each at most an m: `Linear::underflow` finds a term
 //!   of V(v + u·m) for each.
 //!
 //! Beyond the bound ρ·(k·V + A)·u, with ρ the room for roundings, x + y exceeds e·V + u·A. Gappa proves this for V and
