@@ -8,7 +8,9 @@ use crate::{Error, File};
 /// The plots `scale-time` and `scale-memory`.
 pub(super) fn all(rows: &[Row]) -> Result<Vec<File>, Error> {
     let time = plot(rows, "scale-time", "nanoseconds an element", Row::nanoseconds)?;
-    let memory = plot(rows, "scale-memory", "bytes an element", |row| row.bytes_each()[0])?;
+    // An answer in memory that the process has already takes no more: it is drawn as a tenth of a byte.
+    let bytes = |row: &Row| if row.bytes.is_nan() { f64::NAN } else { row.bytes_each()[0].max(0.1) };
+    let memory = plot(rows, "scale-memory", "bytes an element", bytes)?;
     Ok([time, memory].concat())
 }
 

@@ -45,8 +45,9 @@ impl Study for Scale {
     const HELP: &'static str = "\
 Each task names scenes of any size whose answers grow like the scenes. They are answered in sizes that grow tenfold, \
 from --min to --max, by the method that is timed elsewhere, on --threads threads. Time is that of the session and the \
-answer; memory is the peak of the process above its memory before, where the system reports it (Linux). Scenes that by \
-their task need more than --memory are not answered.
+answer; memory is the peak of the process above its memory before, where the system reports it (Linux). A process reuses memory \
+of earlier scenes: for the memory of one size, ask for that task and size alone. Scenes that by their task need more \
+than --memory are not answered.
 
 The exit code is 100 if an answer took more memory than its task states.
 

@@ -108,7 +108,7 @@ impl Task for Crossings {
     }
 
     fn memory(&self, scene: &Scene, content: &Segments) -> Option<u64> {
-        Some(memory::estimate(scene, &content.0, memory::Bytes { segment: 2_000, crossing: 1_500 }))
+        Some(memory::estimate(scene, &content.0, memory::Bytes { segment: 1_200, crossing: 1_000 }))
     }
 
     fn scaled(&self) -> Option<Compared> {

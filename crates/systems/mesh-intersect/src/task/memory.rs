@@ -12,8 +12,8 @@ use predicament_tasks::{Halt, Refusal};
 
 /// Bytes of an overlay for each given triangle: about twice the measured maximum for 10^7 triangles, 1.13 GiB.
 const TRIANGLE: u64 = 250;
-/// Bytes for each given triangle if all results are rounded and written, as measured.
-pub(super) const FILES: u64 = 3_500;
+/// Bytes for each given triangle if all results are written: 377 as measured for two million.
+pub(super) const FILES: u64 = 600;
 /// Bytes for each point where an edge passes through a triangle, with the pieces around it.
 const POINT: u64 = 2_000;
 /// The maximum memory of an overlay, in bytes: 64 GiB.

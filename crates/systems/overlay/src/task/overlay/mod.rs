@@ -220,7 +220,7 @@ impl Task for Overlay2d {
     }
 
     fn memory(&self, scene: &Scene, content: &Layered) -> Option<u64> {
-        Some(estimate(scene, &content.segments(), Bytes { segment: 4_000, crossing: 3_000 }))
+        Some(estimate(scene, &content.segments(), Bytes { segment: 1_500, crossing: 1_500 }))
     }
 
     fn scaled(&self) -> Option<Compared> {

@@ -197,7 +197,7 @@ impl Task for Snap2d {
     }
 
     fn memory(&self, scene: &Scene, content: &Drawn) -> Option<u64> {
-        Some(estimate(scene, &content.segments, Bytes { segment: 1_000, crossing: 500 }))
+        Some(estimate(scene, &content.segments, Bytes { segment: 800, crossing: 500 }))
     }
 
     fn scaled(&self) -> Option<Compared> {
