@@ -5,29 +5,14 @@ use predicament_predicates::Backend;
 
 use super::*;
 use crate::constructed::rigid;
+use crate::constructed::testing::Random;
 use predicament_predicates::Question;
 
-/// A small generator for reproducible samples (xorshift).
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        self.0
-    }
-
-    fn below(&mut self, bound: usize) -> usize {
-        usize::try_from(self.next() >> 8).unwrap() % bound
-    }
-
-    /// A double from −1 to 1, or a small integer.
-    fn coordinate(&mut self, grid: bool) -> f64 {
-        #[allow(clippy::cast_precision_loss)] // the number has 53 bits
-        let number = (self.next() >> 11) as f64 * 2f64.powi(-52) - 1.0;
-        if grid { (number * 2.0).round() } else { number }
-    }
+/// A double from −1 to 1, or a small integer.
+#[allow(clippy::cast_precision_loss)] // the number has 53 bits
+fn coordinate(random: &mut Random, grid: bool) -> f64 {
+    let number = random.below(1 << 53) as f64 * 2f64.powi(-52) - 1.0;
+    if grid { (number * 2.0).round() } else { number }
 }
 
 /// The number of turns by the power that decides, and of those that are left to integers.
@@ -81,7 +66,7 @@ fn turns_are_those_of_polynomials() {
         let scale = [1.0, 1.0, 2f64.powi(-60), 2f64.powi(-200), 2f64.powi(300)][round / 4 % 5];
         let thin = [1.0, 1.0, 2f64.powi(-30), 2f64.powi(-52)][round / 20 % 4];
         let points = std::array::from_fn(|_| {
-            let [x, y, z] = std::array::from_fn(|_| random.coordinate(is_grid));
+            let [x, y, z] = std::array::from_fn(|_| coordinate(&mut random, is_grid));
             [x * scale, y * scale, (if is_grid { z } else { x + y + z * thin }) * scale]
         });
         ask_all(&points, &mut random, &mut seen[usize::from(is_grid)]);
@@ -98,7 +83,7 @@ fn what_cancels_is_not_certain() {
     let mut random = Random(32);
     let mut computed = 0;
     for _ in 0..1000 {
-        let [a, b, c] = std::array::from_fn(|_| Near::exact(random.coordinate(false)));
+        let [a, b, c] = std::array::from_fn(|_| Near::exact(coordinate(&mut random, false)));
         let zero = a.plus(b).times(c).minus(a.times(c)).minus(b.times(c));
         assert_eq!(zero.sign(), None, "{a:?} {b:?} {c:?}");
         let one = a.times(a.inverse().unwrap()).minus(Near::exact(1.0));
