@@ -13,15 +13,18 @@
 //!   of their shares, which is f(Y)/w.
 //! - *Points of one plane.* The turn of X, Y, Z of P in a coordinate plane is μ times the component of n that the
 //!   coordinate plane drops, with one μ for all coordinate planes. D(p, q, Y, Z) is μ·w, as X is on the line p, q.
+//! - *Two of them on another plane.* Let X be the point of the planes P, Q and R with sides f, g and h, W the
+//!   determinant of their normals, and Y on P and Q. Then Y = X + t·(normal of P × normal of Q) with t = h(Y)/W, and
+//!   μ = −t·g(Z).
 
 use predicament_predicates::{Construction, Question, Scene, Sign, Vertex};
 use smallvec::SmallVec;
 
 use super::moved::inputs;
-use super::place::{Place, depend};
+use super::place::Place;
 use super::row::Rows;
 use super::search::Search;
-use super::{Determinant, Weight, decide as decide_tie};
+use super::{Weight, decide_from};
 
 /// The side of a tie and the degree of the deciding monomial, if the determinant has factors.
 ///
@@ -33,6 +36,7 @@ pub(super) fn decide(scene: &Scene, rows: &Rows, question: Question, args: &[Ver
         (Question::Orient2d(_), &[a, b, c]) => factors
             .by_own_line(question, &args)
             .or_else(|| factors.by_one_line(question, [a, b, c]))
+            .or_else(|| factors.by_two_planes(question, [a, b, c]))
             .or_else(|| factors.by_one_plane(question, [a, b, c])),
         (Question::Orient3d, _) => factors.by_own_line(question, &args),
         _ => None,
@@ -102,6 +106,34 @@ impl Factors<'_> {
         })
     }
 
+    /// Three points of one plane, two of them on another plane, one of which three planes define.
+    fn by_two_planes(&self, question: Question, args: [Vertex; 3]) -> Option<Value> {
+        let places = args.map(|v| self.place(v));
+        for (at, place) in places.iter().enumerate() {
+            let Place::Meet(Construction::Tpi(planes)) = place else { continue };
+            for (p, q) in [(0, 1), (1, 0), (0, 2), (2, 0), (1, 2), (2, 1)] {
+                for step in [1, 2] {
+                    let [y, z] = [(at + step) % 3, (at + 3 - step) % 3];
+                    let is_on = |v: usize, plane: usize| places[v].on_plane(&planes[plane]);
+                    if is_on(y, p) && is_on(y, q) && is_on(z, p) {
+                        let side = |plane: usize, v: usize| {
+                            let [a, b, c] = planes[plane];
+                            self.value(Question::Orient3d, &[a, b, c, args[v]])
+                        };
+                        let r = 3 - p - q;
+                        let of_plane = self.value(question, &planes[p]);
+                        let along = product(side(r, y), side(q, z), self.weight(args[at]));
+                        // The determinant of the normals in the order of p, q, r; the turn in the order of x, y, z.
+                        let is_even = (p + 1) % 3 == q;
+                        let sign = if is_even == (step == 1) { Sign::Negative } else { Sign::Positive };
+                        return Some(product(of_plane, along, sign));
+                    }
+                }
+            }
+        }
+        None
+    }
+
     /// Three points of one plane, one of them of a line that is named.
     fn by_one_plane(&self, question: Question, args: [Vertex; 3]) -> Option<Value> {
         let places = args.map(|v| self.place(v));
@@ -118,22 +150,11 @@ impl Factors<'_> {
 
     /// The sign of a determinant that may not be a tie.
     fn value(&self, question: Question, args: &[Vertex]) -> Value {
-        let places: SmallVec<[Place; 4]> = args.iter().map(|&v| self.place(v)).collect();
-        if depend(question, &places) {
-            return None;
+        match *args {
+            [a, b, c] => decide_from(self.scene, self.rows, question, [a, b, c], 0),
+            [a, b, c, d] => decide_from(self.scene, self.rows, question, [a, b, c, d], 0),
+            _ => unreachable!("turns and sides"),
         }
-        let inputs = inputs(&places);
-        let (search, dimension) = (Search::new(self.scene, &inputs), self.scene.dimension().count());
-        let unmoved = search.unmoved(&Determinant { dimension, question, places: &places });
-        if unmoved.is_zero() {
-            return match *args {
-                [a, b, c] => decide_tie(self.scene, self.rows, question, [a, b, c]),
-                [a, b, c, d] => decide_tie(self.scene, self.rows, question, [a, b, c, d]),
-                _ => unreachable!("turns and sides"),
-            };
-        }
-        let meets = places.iter().filter(|place| matches!(place, Place::Meet(_)));
-        Some((meets.fold(unmoved, |sign, place| sign * search.unmoved(&Weight(*place, dimension))), 0))
     }
 
     /// The sign of the weight of a point, which does not move.

@@ -83,11 +83,17 @@ impl<'a, const N: usize> Point<'a, N> {
     }
 }
 
-/// Tries to break a tie.
+/// Tries to find the sign of a determinant of which all monomials below the degree `least` are zero.
 ///
 /// # Panics
 /// If the scene lacks a vertex, or the question is about circles or spheres.
-pub(super) fn decide<const N: usize>(scene: &Scene, rows: &Rows, question: Question, args: [Vertex; N]) -> Known {
+pub(super) fn decide<const N: usize>(
+    scene: &Scene,
+    rows: &Rows,
+    question: Question,
+    args: [Vertex; N],
+    least: usize,
+) -> Known {
     let dimension = scene.dimension().count();
     let mut columns = [dimension; N];
     match question {
@@ -135,7 +141,7 @@ pub(super) fn decide<const N: usize>(scene: &Scene, rows: &Rows, question: Quest
     }
     let shared = first_shared(&inputs);
     let steps = steps(dimension, &points, &inputs, shared);
-    let mut search = Search::new(points, steps);
+    let mut search = Search::new(points, steps, least);
     match search.products(search.steps.len(), &mut [None; N], 0) {
         ControlFlow::Break(known) => return known,
         ControlFlow::Continue(()) => {}
@@ -214,6 +220,8 @@ enum Factor {
 struct Search<'a, const N: usize> {
     points: SmallVec<[Point<'a, N>; 4]>,
     steps: SmallVec<[Step; 16]>,
+    /// The lowest degree to try.
+    least: usize,
     /// The number of limbs that all rows span together.
     span: usize,
     /// True if two unperturbed points are equal; `None` until a pair has been compared.
@@ -222,18 +230,18 @@ struct Search<'a, const N: usize> {
 }
 
 impl<'a, const N: usize> Search<'a, N> {
-    fn new(points: SmallVec<[Point<'a, N>; 4]>, steps: SmallVec<[Step; 16]>) -> Search<'a, N> {
+    fn new(points: SmallVec<[Point<'a, N>; 4]>, steps: SmallVec<[Step; 16]>, least: usize) -> Search<'a, N> {
         let spans = points.iter().map(|point| {
             let [low, top] = point.span();
             usize::try_from(top - low).unwrap_or(0)
         });
         let span = spans.sum();
-        Search { points, steps, span, same: [[None; N]; N], tried: 0 }
+        Search { points, steps, least, span, same: [[None; N]; N], tried: 0 }
     }
 
     /// Tries the products of the steps before `before` with the factors that rows have already; the largest first.
     fn products(&mut self, before: usize, factors: &mut [Option<Factor>; N], degree: usize) -> ControlFlow<Known> {
-        if degree > 0 {
+        if degree >= self.least {
             self.attempt(factors, degree)?;
         }
         for at in 0..before {

@@ -94,7 +94,21 @@ fn decide<const N: usize>(scene: &Scene, rows: &Rows, question: Question, args: 
     {
         return Some(decided);
     }
-    match first::decide(scene, rows, question, args) {
+    decide_from(scene, rows, question, args, 1)
+}
+
+/// The sign of a determinant and the degree of the deciding monomial, which is `least`, zero or one, or higher.
+///
+/// # Panics
+/// As [`decide`].
+fn decide_from<const N: usize>(
+    scene: &Scene,
+    rows: &Rows,
+    question: Question,
+    args: [Vertex; N],
+    least: usize,
+) -> Option<(Sign, usize)> {
+    match first::decide(scene, rows, question, args, least) {
         Known::Broken(sign, degree) => Some((sign, degree)),
         Known::Identity => None,
         Known::Open => {

@@ -12,7 +12,7 @@ use super::*;
 fn products_are_those_of_the_search() {
     let mut random = Random(77);
     let (mut turns, mut sides, mut degrees) = (0, 0, [0; 12]);
-    for round in 0..predicament_effort::scaled(1500) {
+    for round in 0..predicament_effort::scaled(900) {
         let units = [[1.0, 1.0, 1.0], [0.1, 3.0, 1e30], [3e-320, 1e-320, 5e-324]][round % 3];
         let points: Vec<[f64; 3]> =
             (0..9).map(|_| units.map(|unit| f64::from(u32::try_from(random.below(3)).unwrap()) * unit)).collect();
@@ -27,6 +27,8 @@ fn products_are_those_of_the_search() {
             Construction::Lpi { line: [s, t], plane: [a, b, c] },
             Construction::Lpi { line: [p, q], plane: [t, u, c] },
             Construction::Tpi([[p, q, s], [b, c, a], [r, s, u]]),
+            Construction::Tpi([[p, t, u], [s, q, p], [b, a, c]]),
+            Construction::Tpi([[t, u, p], [a, b, c], [r, s, u]]),
         ]
         .into_iter()
         .filter_map(|of| session.construct(&[of]).ok())

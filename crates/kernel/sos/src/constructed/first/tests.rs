@@ -13,7 +13,7 @@ use crate::constructed::testing::{Random, constructions};
 type Counts = [usize; 5];
 
 fn check<const N: usize>(scene: &Scene, rows: &Rows, question: Question, args: [Vertex; N], counts: &mut Counts) {
-    let known = decide(scene, rows, question, args);
+    let known = decide(scene, rows, question, args, 1);
     let place = match &known {
         Known::Broken(_, degree) => (*degree).min(3),
         Known::Identity => 0,
