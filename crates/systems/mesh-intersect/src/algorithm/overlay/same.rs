@@ -12,23 +12,21 @@
 //!   it is above itself by at least ε − L(ε² + ε³), and does not meet itself. Two triangles that have a corner in
 //!   common are both around that corner.
 //! - *Elsewhere.* An edge and a triangle that are apart are apart after a small enough move. A triangle is set aside
-//!   only if it is apart from all other such triangles that it has no corner in common with: a plane across an axis or
-//!   a diagonal separates them, or a line in a coordinate plane, by the signs of determinants in doubles that exceed
-//!   their rounding errors.
+//!   only if it is apart from all other such triangles that it has no corner in common with ([`apart`]). Large parts of
+//!   the surface are graphs over the yz plane as a whole ([`patches`]); their triangles are apart from each other.
 //!
 //! Hence an edge of a triangle that is set aside in one mesh does not pass through a triangle that is set aside in the
 //! other. All other pairs are tested. The surface is closed, so that the triangles around a vertex are loops; a loop
 //! whose triangles turn the same way crosses a ray as often as it goes around.
 
-use std::sync::OnceLock;
-use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
+mod apart;
+mod patches;
 
-use predicament_grid::Bounds;
-use predicament_grid::two_level::{Sizes, TwoLevel};
+use std::sync::OnceLock;
+
 use predicament_mesh::MaterialMesh;
 use predicament_predicates::{Plane, Predicates, Scene, Sign, Vertex};
 
-use super::meet::do_meet;
 use super::near::{number, span};
 use super::table::{NONE, Table, bits};
 
@@ -40,8 +38,6 @@ const SAMPLE: usize = 256;
 const SHARE: usize = 8;
 /// The number of vertices or triangles in one thread's work item.
 const PART: usize = 4096;
-/// The maximum number of triangles of a cell; in cells with more, none is set aside.
-const MOST: usize = 512;
 
 /// The triangles of either mesh that must be tested, ascending: all except those set aside. `None` if setting aside is
 /// not worthwhile, or the session is not known to move a mesh as a whole.
@@ -66,7 +62,7 @@ pub(super) fn asked_about(session: &dyn Predicates, meshes: [&MaterialMesh; 2]) 
         return None;
     }
     let mut aside = vec![false; is_same.len()];
-    for (&at, is_apart) in candidates.iter().zip(apart(scene, meshes[0], &candidates)) {
+    for (&at, is_apart) in candidates.iter().zip(apart::apart(scene, meshes[0], first, &candidates)) {
         aside[at as usize] = is_apart;
     }
     let asked =
@@ -213,121 +209,4 @@ fn clear_vertices(session: &dyn Predicates, mesh: &MaterialMesh, of: Vertices) -
         }
     }
     seen.into_iter().map(|seen| seen == UP | CROSSING || seen == DOWN | CROSSING).collect()
-}
-
-/// For each of these triangles, true if it is certainly apart from all others without a common corner.
-fn apart(scene: &Scene, mesh: &MaterialMesh, of: &[u32]) -> Vec<bool> {
-    let corners = |at: u32| mesh.triangles()[of[at as usize] as usize];
-    let box_of = |&at: &u32| Bounds::of(mesh.triangles()[at as usize].map(|v| scene.point3(v)));
-    let boxes = predicament_grid::parallel::all(of, &box_of);
-    let grid = TwoLevel::new(&boxes, Sizes::of(&boxes));
-    let meets: Vec<AtomicBool> = of.iter().map(|_| AtomicBool::new(false)).collect();
-    let meet = |at: u32| meets[at as usize].store(true, Relaxed);
-    let part = |part: usize| {
-        let mut here = Vec::new();
-        for slot in part * PART..grid.slots().min((part + 1) * PART) {
-            let list = grid.list(slot);
-            if list.len() > MOST {
-                list.iter().copied().for_each(meet);
-                continue;
-            }
-            // Boxes and corners of one cell are copied together, for all pairs. Nearly all pairs whose boxes meet
-            // have a corner in common: both tests are done without a branch, which would be mispredicted.
-            here.clear();
-            here.extend(list.iter().map(|&at| (at, boxes[at as usize], corners(at))));
-            for (place, (at, bounds, own)) in here.iter().enumerate() {
-                for (other, others, theirs) in &here[place + 1..] {
-                    if (do_meet(bounds, others) & !have_common_corner(own, theirs))
-                        && !are_apart([own, theirs].map(|triangle| triangle.map(|v| scene.point3(v))))
-                    {
-                        meet(*at);
-                        meet(*other);
-                    }
-                }
-            }
-        }
-    };
-    predicament_grid::parallel::each(grid.slots().div_ceil(PART), &part);
-    meets.into_iter().map(|meets| !meets.into_inner()).collect()
-}
-
-/// True if two triangles have a corner in common.
-#[inline]
-fn have_common_corner(a: &[Vertex; 3], b: &[Vertex; 3]) -> bool {
-    a.iter().fold(false, |found, v| found | (*v == b[0]) | (*v == b[1]) | (*v == b[2]))
-}
-
-/// The extent of a triangle along the diagonals of the coordinate planes.
-///
-/// Rounded sums are monotone: of two different rounded sums, the smaller one belongs to the smaller exact sum.
-struct Diagonals {
-    low: [f64; 6],
-    high: [f64; 6],
-}
-
-impl Diagonals {
-    fn of(triangle: [[f64; 3]; 3]) -> Diagonals {
-        let [a, b, c] = triangle.map(|[x, y, z]| [x + y, x - y, y + z, y - z, z + x, z - x]);
-        let (mut low, mut high) = (a, a);
-        for i in 0..6 {
-            low[i] = low[i].min(b[i]).min(c[i]);
-            high[i] = high[i].max(b[i]).max(c[i]);
-        }
-        Diagonals { low, high }
-    }
-
-    /// True if no diagonal certainly separates the two.
-    #[inline]
-    fn do_meet(&self, other: &Diagonals) -> bool {
-        (0..6).all(|i| (self.low[i] <= other.high[i]) & (other.low[i] <= self.high[i]))
-    }
-}
-
-/// True if a plane across a diagonal, or a line in a coordinate plane, certainly separates two triangles.
-fn are_apart([t, s]: [[[f64; 3]; 3]; 2]) -> bool {
-    !Diagonals::of(t).do_meet(&Diagonals::of(s)) || planes(t).into_iter().any(|plane| are_separated(plane, t, s))
-}
-
-/// The two axes of each coordinate plane; first the plane in which a triangle has about the largest area.
-fn planes(t: [[f64; 3]; 3]) -> [[usize; 2]; 3] {
-    let area = |[i, j]: [usize; 2]| {
-        ((t[1][i] - t[0][i]) * (t[2][j] - t[0][j]) - (t[1][j] - t[0][j]) * (t[2][i] - t[0][i])).abs()
-    };
-    let mut planes = [[0, 1], [1, 2], [2, 0]];
-    planes.sort_by(|&a, &b| area(b).total_cmp(&area(a)));
-    planes
-}
-
-/// True if a line along an edge of one of two triangles certainly has the other strictly beyond it in a coordinate
-/// plane.
-fn are_separated([i, j]: [usize; 2], t: [[f64; 3]; 3], s: [[f64; 3]; 3]) -> bool {
-    let flat = |t: [[f64; 3]; 3]| t.map(|p| [p[i], p[j]]);
-    let [t, s] = [flat(t), flat(s)];
-    let is_beyond = |t: [[f64; 2]; 3], s: [[f64; 2]; 3], edge: usize| {
-        let [a, b, c] = [t[edge], t[(edge + 1) % 3], t[(edge + 2) % 3]];
-        match turn(a, b, c) {
-            Some(true) => s.iter().all(|&p| turn(a, b, p) == Some(false)),
-            Some(false) => s.iter().all(|&p| turn(a, b, p) == Some(true)),
-            None => false,
-        }
-    };
-    (0..3).any(|edge| is_beyond(t, s, edge) || is_beyond(s, t, edge))
-}
-
-/// The turn of a, b, c: true for counterclockwise, false for clockwise, `None` if rounding could decide.
-///
-/// Let u = 2^-53. The determinant of rounded differences has an error of less than 4 u times the sum of its products'
-/// magnitudes (Shewchuk, *Adaptive precision floating-point arithmetic*, 1997, section 4.3), if that sum is far from
-/// underflow; it is not if it overflows.
-#[inline]
-fn turn(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Option<bool> {
-    /// The relative error bound 4 u.
-    const ERROR: f64 = 2.0 * f64::EPSILON;
-    /// The least sum of magnitudes for that bound: products that underflow have an error of at most 2^-1074, which is
-    /// negligible beside 4 u times 2^-900.
-    const LEAST: f64 = 1e-270;
-    let left = (a[0] - c[0]) * (b[1] - c[1]);
-    let right = (a[1] - c[1]) * (b[0] - c[0]);
-    let (determinant, sum) = (left - right, left.abs() + right.abs());
-    (sum > LEAST && determinant.abs() > ERROR * sum && sum < f64::INFINITY).then_some(determinant > 0.0)
 }
