@@ -137,15 +137,22 @@ impl Factors<'_> {
     /// Three points of one plane, one of them of a line that is named.
     fn by_one_plane(&self, question: Question, args: [Vertex; 3]) -> Option<Value> {
         let places = args.map(|v| self.place(v));
-        (0..3).find_map(|at| {
+        let with = |at: usize| {
             let ([p, q], plane) = self.meet(args[at])?;
-            if !places.iter().all(|place| place.on_plane(&plane)) {
-                return None;
-            }
-            let turn = self.value(question, &plane);
-            let side = self.value(Question::Orient3d, &[p, q, args[(at + 1) % 3], args[(at + 2) % 3]]);
-            Some(product(turn, side, -self.weight(args[at])))
-        })
+            let others = [args[(at + 1) % 3], args[(at + 2) % 3]];
+            places.iter().all(|place| place.on_plane(&plane)).then_some(([p, q], plane, others))
+        };
+        // The side has a factor again if another line has a vertex of this line.
+        let has_factor = |at: &usize| {
+            with(*at).is_some_and(|(line, _, others)| {
+                others.iter().any(|&v| self.meet(v).is_some_and(|(other, _)| other.iter().any(|v| line.contains(v))))
+            })
+        };
+        let at = (0..3).find(has_factor).or_else(|| (0..3).find(|&at| with(at).is_some()))?;
+        let ([p, q], plane, [y, z]) = with(at)?;
+        let turn = self.value(question, &plane);
+        let side = self.value(Question::Orient3d, &[p, q, y, z]);
+        Some(product(turn, side, -self.weight(args[at])))
     }
 
     /// The sign of a determinant that may not be a tie.
