@@ -55,6 +55,7 @@
 //! ```
 
 mod all;
+mod at_corner;
 mod index;
 mod nearer;
 mod single;

@@ -3,8 +3,9 @@
 use predicament_grid::Bounds;
 use predicament_grid::two_level::Ray;
 use predicament_mesh::OUTSIDE;
-use predicament_predicates::{Plane, Predicates, Scene, Sign, Vertex};
+use predicament_predicates::{Predicates, Scene, Vertex};
 
+use super::at_corner::Spokes;
 use super::nearer::is_nearer;
 use super::stab::{Direction, Stab, Way, stab, stab_in_band};
 use super::{Labels, Location, MeshIndex};
@@ -24,30 +25,6 @@ impl Scratch {
     #[must_use]
     pub fn new() -> Scratch {
         Scratch::default()
-    }
-}
-
-/// A cache of the last few turns of edges.
-#[derive(Default)]
-struct Spokes {
-    edges: [Option<([Vertex; 2], Sign)>; 8],
-    next: usize,
-}
-
-impl Spokes {
-    /// The turn of an edge, from the cache or computed by `ask`.
-    fn turn(&mut self, [u, v]: [Vertex; 2], ask: impl FnOnce() -> Sign) -> Sign {
-        for ([a, b], sign) in self.edges.iter().flatten() {
-            match (*a == u && *b == v, *a == v && *b == u) {
-                (true, _) => return *sign,
-                (_, true) => return -*sign,
-                _ => {}
-            }
-        }
-        let sign = ask();
-        self.edges[self.next % self.edges.len()] = Some(([u, v], sign));
-        self.next += 1;
-        sign
     }
 }
 
@@ -125,9 +102,12 @@ impl MeshIndex {
                     // The previous cell listed it: its box holds the point as seen from above, and extends down there.
                     continue;
                 }
-                if breaks_ties && !is_asked && corners.iter().any(|v| points[v.index()] == p) {
+                if breaks_ties
+                    && !is_asked
+                    && let Some(&corner) = corners.iter().find(|v| points[v.index()] == p)
+                {
                     is_asked = true;
-                    found = self.at_vertex(session, q, entries);
+                    found = self.at_corner(session, q, corner, entries);
                     if found.is_some() {
                         return true;
                     }
@@ -172,43 +152,6 @@ impl MeshIndex {
             return self.question(session, q, Ray::UP, scratch);
         }
         found.unwrap_or(Location::In(nearest.map_or(OUTSIDE, |nearest| nearest.region)))
-    }
-
-    /// Locates a vertex at a corner of the mesh by the triangles around that corner, which are all among `entries`;
-    /// `None` if a sign is zero, or if not exactly one of them is over or under the moved vertex as seen along an axis.
-    ///
-    /// The moved vertex is as close to that one triangle as the move is small, and no other triangle is between them. A
-    /// ray along the surface would pass many cells.
-    fn at_vertex<P: Predicates + ?Sized>(&self, session: &P, q: Vertex, entries: &[u32]) -> Option<Location> {
-        let points: &[[f64; 3]] = session.scene().coordinates().as_chunks().0;
-        let (p, mesh) = (points[q.index()], self.mesh());
-        let mut spokes = Spokes::default();
-        let (mut plane, mut over) = (None, None);
-        for &triangle in entries {
-            let [a, b, c] = mesh.triangles()[triangle as usize];
-            // From the corner at the vertex.
-            let at = |v: Vertex| points[v.index()] == p;
-            let [a, b, c] = match (at(a), at(b), at(c)) {
-                (true, ..) => [a, b, c],
-                (_, true, _) => [b, c, a],
-                (.., true) => [c, a, b],
-                _ => continue,
-            };
-            let plane = *plane.get_or_insert_with(|| across([a, b, c].map(|v| points[v.index()])));
-            let mut turn = |u: Vertex, v: Vertex| spokes.turn([u, v], || session.orient2d(plane, u, v, q));
-            let turns = [turn(a, b), turn(c, a)];
-            if turns.contains(&Sign::Zero) {
-                return None;
-            }
-            if turns[0] != turns[1] || session.orient2d(plane, b, c, q) != turns[0] {
-                continue;
-            }
-            let side = session.orient3d(a, b, c, q);
-            if side.is_zero() || over.replace((triangle, side)).is_some() {
-                return None;
-            }
-        }
-        over.map(|(triangle, side)| Location::In(mesh.sides()[triangle as usize][usize::from(side == Sign::Positive)]))
     }
 
     /// Locates the vertex `q` by the first ray that decides. Without a band, every ray decides.
@@ -312,19 +255,6 @@ impl MeshIndex {
             let ahead = (before != behind).then_some(behind == ray.is_up);
             bounds.is_near(&way, 0.0).then(|| (triangle, Way { is_near: bounds.is_near(&around, 0.0), ahead }))
         }));
-    }
-}
-
-/// The coordinate plane in which a triangle has about the largest area.
-fn across([a, b, c]: [[f64; 3]; 3]) -> Plane {
-    let area = |i: usize, j: usize| ((b[i] - a[i]) * (c[j] - a[j]) - (b[j] - a[j]) * (c[i] - a[i])).abs();
-    let (xy, yz, zx) = (area(0, 1), area(1, 2), area(2, 0));
-    if xy >= yz && xy >= zx {
-        Plane::Xy
-    } else if yz >= zx {
-        Plane::Yz
-    } else {
-        Plane::Zx
     }
 }
 

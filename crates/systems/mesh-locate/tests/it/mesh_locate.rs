@@ -168,6 +168,27 @@ fn points_of_a_lattice_of_tetrahedra_are_in_one_each() {
     agrees(&solids, &solids.queries());
 }
 
+/// A corner of one tetrahedron in a face, or on an edge, of another: a moved vertex is in either, or between them.
+#[test]
+fn corners_that_touch_other_triangles_are_located_by_all_that_touch() {
+    // Along x, y and z in turn, from either side.
+    for turn in 0..6 {
+        let turned = |[x, y, z]: [f64; 3]| {
+            let mut p = if turn < 3 { [x, y, z] } else { [-x, y, z] };
+            p.rotate_right(turn % 3);
+            p
+        };
+        for [y, z] in [[2.0, 1.0], [0.0, 2.0], [4.0, 4.0]] {
+            let below = [[0.0, 0.0, 0.0], [0.0, 8.0, 0.0], [0.0, 0.0, 8.0], [-8.0, 1.0, 1.0]];
+            let above = [[0.0, y, z], [1.0, y + 4.0, z], [1.0, y, z + 4.0], [1.0, y - 1.0, z - 1.0]];
+            let points: Vec<[f64; 3]> = below.into_iter().chain(above).map(turned).collect();
+            let solids = Solids { points, tetrahedra: vec![[0, 1, 2, 3], [4, 5, 6, 7]] };
+            let (scene, mesh, queries) = solids.scene(&solids.points);
+            all_ways(&MeshIndex::new(mesh, &scene), &PerMesh.prepare(&scene, Off).unwrap(), &queries);
+        }
+    }
+}
+
 #[test]
 fn boxes_in_each_other_have_labels_for_what_is_between() {
     // Nested boxes around the origin; each region lies between a box and the next.
