@@ -135,7 +135,7 @@ impl Linear {
     /// Proves the room for roundings in the code, and finds the least; refuses a k that is one less.
     ///
     /// # Errors
-    /// What is not proved, or what is proved and must not be.
+    /// The goals whose result is wrong: those that are not proved, and those that are proved and must not be.
     pub fn prove(&self, gappa: &Gappa) -> Result<Proved, String> {
         let needed = self.needed(gappa).map_err(|error| format!("{}: {error}", self.name))?;
         // A loss by underflow over u·A, as a power of two: A has u² times three factors, or u times two.

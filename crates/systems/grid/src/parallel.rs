@@ -51,7 +51,7 @@ pub fn ranges<R: Send>(count: usize, work: &(dyn Fn(Range<usize>) -> R + Sync)) 
     in_parts(count, threads(count), work)
 }
 
-/// As [`ranges`], for items that take different times.
+/// The results of `work` as by [`ranges`], in more and shorter ranges: for items that take different times.
 pub fn uneven<R: Send>(count: usize, items: usize, work: &(dyn Fn(Range<usize>) -> R + Sync)) -> Vec<R> {
     let threads = threads(items);
     in_parts(count, if threads == 1 { 1 } else { UNEVEN * threads }, work)
@@ -75,7 +75,7 @@ pub fn joined<T>(lists: Vec<Vec<T>>) -> Vec<T> {
     all
 }
 
-/// As [`joined`], or the first error.
+/// The lists one after the other, or the first error.
 ///
 /// # Errors
 /// The first error of the list.

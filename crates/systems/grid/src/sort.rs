@@ -14,7 +14,7 @@ pub fn sort_by_sign<T: Copy>(items: &mut [T], mut compare: impl FnMut(T, T) -> S
     merge_runs(items, ends, compare);
 }
 
-/// The second part of [`sort_by_sign`]: merges runs that end before these places, and at the end of the list.
+/// Merges sorted runs, which end before these places and at the end of the list: the second part of [`sort_by_sign`].
 pub fn merge_runs<T: Copy>(items: &mut [T], mut ends: Vec<usize>, mut compare: impl FnMut(T, T) -> Sign) {
     if ends.is_empty() {
         return;

@@ -96,7 +96,7 @@ pub fn write(folder: &Path, closed: &[Closed; 2]) -> Result<Files, String> {
     Ok(Files(files))
 }
 
-/// A backend, or a program.
+/// A contestant: a backend of ours, or a program of another library.
 pub enum Contestant {
     Ours(&'static str, fn(&[Closed; 2]) -> Made),
     Program(Program),
@@ -110,7 +110,7 @@ impl Contestant {
         }
     }
 
-    /// Unites a pair.
+    /// The union of a pair: time, number of triangles and volume.
     pub fn unite(&mut self, closed: &[Closed; 2], files: &Files) -> Made {
         match self {
             Contestant::Ours(_, unite) => {
