@@ -5,7 +5,7 @@ use predicament_laws::axioms::{
     independence_of_place, never_zero, relations, transitivity,
 };
 use predicament_predicates::{
-    Axis, Dimension, Plane, PredicateKind, Predicates, QuerySet, Question, Vertex, ZeroMeaning,
+    Axis, Derived, Dimension, Plane, PredicateKind, Predicates, QuerySet, Question, Vertex, ZeroMeaning,
 };
 
 /// A law about a predicate.
@@ -24,7 +24,11 @@ pub fn checks(dimension: Dimension) -> Vec<Check> {
         Dimension::Two => axes.chain([Question::Orient2d(Plane::Xy), Question::Incircle]).collect(),
         Dimension::Three => {
             let planes = [Plane::Xy, Plane::Yz, Plane::Zx].map(Question::Orient2d);
-            axes.chain(planes).chain([Question::Orient3d, Question::Insphere]).collect()
+            let formulas = Derived::shipped()
+                .iter()
+                .filter(|formula| formula.formula().is_determinant() && formula.dimension() == dimension);
+            let formulas = formulas.map(|&formula| Question::Derived(formula));
+            axes.chain(planes).chain([Question::Orient3d, Question::Insphere]).chain(formulas).collect()
         }
     };
     let mut checks = Vec::new();
@@ -69,9 +73,10 @@ impl Check {
     /// The names of the law's predicates, as in `compare+orient2d`.
     #[must_use]
     pub fn subject(&self) -> String {
-        let asked = self.kinds();
-        let kinds = PredicateKind::ALL.into_iter().filter(|kind| asked.contains(kind));
-        kinds.map(PredicateKind::name).collect::<Vec<_>>().join("+")
+        let mut kinds = self.kinds();
+        kinds.sort_unstable();
+        kinds.dedup();
+        kinds.into_iter().map(PredicateKind::name).collect::<Vec<_>>().join("+")
     }
 
     /// The predicates that the check queries.
