@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The race of the bench `mesh_race`: builds the peers, fetches the meshes and starts the bench.
 #
-#     crates/systems/mesh-intersect/benches/mesh_race/race.sh FOLDER [--pairs N] [--seed S] [--threads T] [--cap SECONDS]
+#     crates/systems/mesh-intersect/benches/mesh_race/race.sh FOLDER [--pairs N] [--seed S] [--cap SECONDS]
 #
 # FOLDER gets programs, packages, meshes and times. The peers are CGAL of the system, and the libraries of the engines
 # `manifold`, `trueform`, `igl-tasks` and `geogram-solids`; the engine `trimesh` has the reader of files. They are
