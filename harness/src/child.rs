@@ -40,9 +40,9 @@ pub fn command() -> Result<Command, Failure> {
 }
 
 /// Starts a child that ends when this process does. The reader of its pipe gets its stderr.
-pub fn start(mut command: Command) -> Result<Child, Failure> {
+pub fn start(mut command: Command, stdout: Stdio) -> Result<Child, Failure> {
     // The child ends when the other end of this pipe closes, so no child outlives a killed parent.
-    command.env(VARIABLE, "1").stdin(Stdio::piped()).stdout(Stdio::null()).stderr(Stdio::piped());
+    command.env(VARIABLE, "1").stdin(Stdio::piped()).stdout(stdout).stderr(Stdio::piped());
     let child = command.spawn().map_err(|error| Failure::usage(format!("a worker did not start: {error}")))?;
     // When memory runs out, Linux kills this child first. Other systems do not have this file.
     let _ = std::fs::write(format!("/proc/{}/oom_score_adj", child.id()), "1000");

@@ -41,6 +41,7 @@ mod colour;
 mod columns;
 mod comment;
 mod conformance;
+mod death;
 mod details;
 pub mod example;
 mod exit;

@@ -5,12 +5,9 @@
 //! whose run folder is read back.
 
 use std::collections::BTreeMap;
-use std::io::Read;
 use std::path::{Path, PathBuf};
-use std::process::{Child, ChildStderr, ExitStatus};
+use std::process::{Child, ExitStatus, Stdio};
 use std::sync::atomic::Ordering;
-use std::sync::{Arc, Mutex, PoisonError};
-use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 use predicament_corpus::Level;
@@ -18,10 +15,10 @@ use predicament_engines::PREFIX;
 use predicament_records::{Error, FindingRow, Outcome, PlannedScene, Record, RunDir, StageRow, Status, SummaryRow};
 use predicament_tasks::{Class, Finding, finding_id};
 
-use crate::child::{self, End, FAREWELL, wait};
-use crate::exit::{CORPUS, Failure, INCOMPLETE, NOTHING_SELECTED, OK, UNEXPECTED, UNEXPECTED_PASS, USAGE};
+use crate::child::{self, End, wait};
+use crate::death::{Said, death, unable, was_signalled};
+use crate::exit::{Failure, INCOMPLETE, OK, UNEXPECTED, UNEXPECTED_PASS};
 use crate::interrupt;
-use crate::out::program;
 use crate::planning::tables_with;
 use crate::tool::Tool;
 
@@ -35,8 +32,6 @@ const AGAIN: u32 = 2;
 const HEARSAY: Duration = Duration::from_millis(200);
 /// The exit codes of a worker that has done its work. With the last code, an engine ran out of time.
 const FINE: [u8; 4] = [OK, UNEXPECTED, UNEXPECTED_PASS, INCOMPLETE];
-/// The exit codes of a worker that could not work, because the disk is full or the suite has changed.
-const UNABLE: [u8; 3] = [USAGE, NOTHING_SELECTED, CORPUS];
 /// The scene, suite and time limit of a worker.
 pub struct Worker<'a> {
     pub permutations: Option<usize>,
@@ -118,19 +113,6 @@ fn was_killed(status: Option<ExitStatus>) -> bool {
     was_signalled(status, &[9])
 }
 
-/// True if a process was ended by one of these signals.
-fn was_signalled(status: Option<ExitStatus>, signals: &[i32]) -> bool {
-    #[cfg(unix)]
-    return status
-        .and_then(|status| std::os::unix::process::ExitStatusExt::signal(&status))
-        .is_some_and(|signal| signals.contains(&signal));
-    #[cfg(not(unix))]
-    return {
-        let _ = (status, signals);
-        false
-    };
-}
-
 impl Worker<'_> {
     /// Runs one backend; returns `None` if the tool was interrupted.
     ///
@@ -159,7 +141,7 @@ impl Worker<'_> {
         std::fs::create_dir(folder).map_err(|error| cannot(folder, error))?;
         let run = folder.join("run");
         let mut child = self.command(backend, &run)?;
-        let said = Said::of(child.stderr.take());
+        let said = Said::last(child.stderr.take());
         Ok(match wait(&mut child, self.limit) {
             End::Interrupt => Done::Stopped,
             End::Limit(limit) => {
@@ -213,7 +195,7 @@ impl Worker<'_> {
         if let Some(cache) = self.cache {
             command.arg("--cache").arg(cache);
         }
-        child::start(command)
+        child::start(command, Stdio::null())
     }
 
     /// The rows for a worker that wrote none.
@@ -230,116 +212,5 @@ impl Worker<'_> {
             more: Vec::new(),
             maps: Vec::new(),
         }
-    }
-}
-
-/// The stderr of a worker, read through a pipe. A file could not record that the disk is full.
-struct Said {
-    bytes: Arc<Mutex<Vec<u8>>>,
-    listener: Option<JoinHandle<()>>,
-}
-
-impl Said {
-    /// Reads until the other end is closed, and keeps the end of the text.
-    fn of(stderr: Option<ChildStderr>) -> Said {
-        const MOST: usize = 1 << 16;
-        let bytes = Arc::new(Mutex::new(Vec::new()));
-        let heard = Arc::clone(&bytes);
-        let listen = |mut stderr: ChildStderr| {
-            std::thread::spawn(move || {
-                let mut piece = [0; 4096];
-                while let Ok(count @ 1..) = stderr.read(&mut piece) {
-                    let mut heard = heard.lock().unwrap_or_else(PoisonError::into_inner);
-                    heard.extend_from_slice(&piece[..count]);
-                    let old = heard.len().saturating_sub(MOST);
-                    heard.drain(..old);
-                }
-            })
-        };
-        Said { bytes, listener: stderr.map(listen) }
-    }
-
-    /// The text, once the worker has ended. A process that the worker left behind may keep the pipe open; it is not
-    /// waited for.
-    fn text(&self) -> String {
-        let start = Instant::now();
-        while self.listener.as_ref().is_some_and(|listener| !listener.is_finished()) && start.elapsed() < FAREWELL {
-            std::thread::sleep(Duration::from_millis(1));
-        }
-        String::from_utf8_lossy(&self.bytes.lock().unwrap_or_else(PoisonError::into_inner)).into_owned()
-    }
-}
-
-/// The failure that a worker reported itself, which is not a row of a backend.
-fn unable(status: Option<ExitStatus>, said: &str) -> Option<Failure> {
-    let code = status.and_then(|status| status.code());
-    let code = UNABLE.into_iter().find(|&unable| code == Some(i32::from(unable)))?;
-    let line = said.lines().rfind(|line| !line.trim().is_empty())?;
-    let message = line.strip_prefix(&program())?.strip_prefix(": ")?;
-    Some(Failure { message: message.to_owned(), code })
-}
-
-/// The cause of a worker's death: the name of the check, and a message.
-fn death(status: Option<ExitStatus>, said: &str) -> (&'static str, String) {
-    let lines: Vec<&str> = said.lines().filter(|line| !line.trim().is_empty()).collect();
-    if let Some(line) = lines.iter().find(|line| line.starts_with("memory allocation of ")) {
-        return ("out of memory", (*line).to_owned());
-    }
-    if let Some(line) = lines.iter().find(|line| line.contains("has overflowed its stack")) {
-        return ("crashed", line.trim().to_owned());
-    }
-    let last = lines.last().map_or_else(|| "without a word".to_owned(), |last| printable(last));
-    #[cfg(unix)]
-    if let Some(signal) = status.and_then(|status| std::os::unix::process::ExitStatusExt::signal(&status)) {
-        // Only the system sends this signal, when memory runs out.
-        let (check, name) = match signal {
-            9 => ("out of memory", "killed by the system"),
-            6 => ("crashed", "abort"),
-            11 => ("crashed", "segmentation fault"),
-            _ => ("crashed", "signal"),
-        };
-        return (check, format!("{name} (signal {signal}): {last}"));
-    }
-    let code = status.and_then(|status| status.code());
-    (
-        "crashed",
-        format!("ended with code {}: {last}", code.map_or_else(|| "unknown".to_owned(), |code| code.to_string())),
-    )
-}
-
-/// A line that is safe to print: control characters are escaped and long lines are cut.
-fn printable(line: &str) -> String {
-    const MOST: usize = 300;
-    let escaped: String = line.trim().chars().take(MOST).flat_map(char::escape_debug).collect();
-    if line.chars().nth(MOST).is_some() { escaped + "…" } else { escaped }
-}
-
-#[cfg(all(test, unix))]
-mod tests {
-    use std::os::unix::process::ExitStatusExt;
-
-    use super::*;
-
-    #[test]
-    fn each_death_has_its_name() {
-        let code = |code: i32| Some(ExitStatus::from_raw(code << 8));
-        let long = format!("thread 'main' panicked\n{}\u{1b}[2J", "x".repeat(400));
-        for (status, said, check, message) in [
-            (Some(ExitStatus::from_raw(9)), "", "out of memory", "killed by the system (signal 9): without a word"),
-            (Some(ExitStatus::from_raw(11)), "a\n\n", "crashed", "segmentation fault (signal 11): a"),
-            (Some(ExitStatus::from_raw(6)), "", "crashed", "abort (signal 6): without a word"),
-            (
-                Some(ExitStatus::from_raw(6)),
-                "memory allocation of 99 bytes failed\nnote",
-                "out of memory",
-                "memory allocation of 99 bytes failed",
-            ),
-            (code(101), "b", "crashed", "ended with code 101: b"),
-            (None, "", "crashed", "ended with code unknown: without a word"),
-        ] {
-            assert_eq!(death(status, said), (check, message.to_owned()));
-        }
-        let (_, message) = death(code(2), &long);
-        assert!(message.chars().count() < 350 && !message.contains(char::is_control), "{message}");
     }
 }

@@ -4,14 +4,18 @@
 //! bar, folder and exit code for all studies.
 
 use std::path::Path;
-use std::process::Command;
+use std::process::Stdio;
+use std::sync::atomic::Ordering;
 use std::sync::{Mutex, PoisonError};
 
 use indicatif::ProgressBar;
 use predicament_engines::{EngineError, PREFIX, swept};
+use predicament_predicates::{Broken, Class};
 use predicament_studies::{Error, Host, Ready};
-use predicament_tasks::{AnyTask, Contestant, Watch};
+use predicament_tasks::{AnyTask, Contestant, Stop, Watch};
 
+use crate::child::{self, End};
+use crate::death::{Said, death, unable};
 use crate::exit::{self, Failure};
 use crate::shared::set_threads;
 use crate::tool::{Tool, each};
@@ -19,6 +23,7 @@ use crate::{interrupt, progress};
 
 /// Runs the command.
 pub fn run(study: &dyn Ready, tool: &Tool) -> exit::Outcome {
+    child::end_with_parent();
     set_threads(study.threads())?;
     let names = study.backends();
     let swept = each(&names).map(|name| match name.strip_prefix(PREFIX) {
@@ -79,14 +84,27 @@ impl Host for Terminal<'_> {
         self.tool.backend(name).map_err(Error::unfit)
     }
 
-    fn again(&self, arguments: &[String]) -> Result<Option<String>, Error> {
-        let program = std::env::current_exe().map_err(Error::unfit)?;
-        let output = Command::new(program).args(arguments).output().map_err(Error::unfit)?;
-        if output.status.success() {
-            return Ok(Some(String::from_utf8_lossy(&output.stdout).into_owned()));
+    fn again(&self, arguments: &[String]) -> Result<Option<Result<String, Broken>>, Error> {
+        let unfit = |failure: Failure| Error::Unfit(failure.message);
+        let mut command = child::command().map_err(unfit)?;
+        command.args(arguments);
+        let mut child = child::start(command, Stdio::piped()).map_err(unfit)?;
+        let (printed, said) = (Said::all(child.stdout.take()), Said::last(child.stderr.take()));
+        let status = match child::wait(&mut child, None) {
+            // Ctrl-C reaches both processes; the child may have ended before this process looked.
+            End::Exit(status) if !interrupt::flag().load(Ordering::Relaxed) => status,
+            _ => return Err(Error::Stopped(Stop::Interrupted)),
+        };
+        let code = status.and_then(|status| status.code());
+        if [exit::OK, exit::UNEXPECTED].iter().any(|&fine| code == Some(i32::from(fine))) {
+            return Ok(Some(Ok(printed.text())));
         }
-        let why = String::from_utf8_lossy(&output.stderr);
-        Err(Error::Unfit(format!("`{}`: {}", arguments.join(" "), why.trim())))
+        let said = said.text();
+        if let Some(failure) = unable(status, &said) {
+            return Err(unfit(failure));
+        }
+        let (check, message) = death(status, &said);
+        Ok(Some(Err(Broken { class: Class::Panic, check, message })))
     }
 
     fn begin(&self, total: u64, unit: &str) {

@@ -3,6 +3,7 @@
 //! Wrong signs can make an algorithm loop or crash, so a separate process with a time limit draws the answer.
 
 use std::path::PathBuf;
+use std::process::Stdio;
 use std::time::Duration;
 
 use predicament_corpus::LoadedScene;
@@ -31,7 +32,7 @@ pub fn draw(run: &RunDir, loaded: &LoadedScene, finding: &FindingRow, detail: &m
         command.args(["-b", &finding.backend]);
     }
     command.arg("--out").arg(&file.0);
-    let mut child = child::start(command).ok()?;
+    let mut child = child::start(command, Stdio::null()).ok()?;
     let End::Exit(Some(status)) = child::wait(&mut child, Some(LIMIT)) else { return None };
     let text = status.success().then(|| std::fs::read_to_string(&file.0).ok()).flatten()?;
     let answers = if is_declined { String::new() } else { format!(" as {} answers it", finding.backend) };

@@ -37,6 +37,16 @@ pub fn expect(code: i32, args: &[&str]) -> Told {
     told
 }
 
+/// The processes with these words on their command line; a zero separates words.
+#[cfg(target_os = "linux")]
+pub fn processes_with(words: &str) -> Vec<u32> {
+    let ids =
+        std::fs::read_dir("/proc").unwrap().flatten().filter_map(|entry| entry.file_name().to_str()?.parse().ok());
+    let has_words =
+        |id: &u32| std::fs::read_to_string(format!("/proc/{id}/cmdline")).is_ok_and(|line| line.contains(words));
+    ids.filter(has_words).collect()
+}
+
 /// A path inside a temporary folder, as an argument.
 pub fn at(folder: &tempfile::TempDir, name: &str) -> String {
     folder.path().join(name).display().to_string()

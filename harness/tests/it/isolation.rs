@@ -112,19 +112,12 @@ fn two_writers_of_one_folder_are_refused() {
     first.wait().unwrap();
     // The worker ends soon after the process that it works for.
     #[cfg(target_os = "linux")]
-    while workers_of(&suite) > 0 {
+    while !crate::common::processes_with(&suite).is_empty() {
         std::thread::sleep(std::time::Duration::from_millis(5));
     }
     // The lock ended with the process.
     let gate = run(&["gate", &out]);
     assert_eq!(gate.code, 103, "{}{}", gate.stdout, gate.stderr);
-}
-
-/// The number of processes with a suite on their command line.
-#[cfg(target_os = "linux")]
-fn workers_of(suite: &str) -> usize {
-    let commands = std::fs::read_dir("/proc").unwrap().flatten().map(|entry| entry.path().join("cmdline"));
-    commands.filter(|path| std::fs::read_to_string(path).is_ok_and(|words| words.contains(suite))).count()
 }
 
 #[test]

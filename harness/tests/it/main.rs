@@ -41,6 +41,7 @@ mod pictures;
 mod plan;
 mod resolve;
 mod runs;
+mod scale;
 mod scoreboard;
 mod scorecard;
 mod show;

@@ -5,6 +5,7 @@
 
 use std::sync::atomic::AtomicBool;
 
+use predicament_predicates::Broken;
 use predicament_tasks::{AnyTask, Contestant, Watch};
 
 use crate::Error;
@@ -25,12 +26,12 @@ pub trait Host {
     /// [`Error::Unfit`] with the known names.
     fn backend(&self, name: &str) -> Result<Box<dyn Contestant>, Error>;
 
-    /// Runs the tool again in a new process, with these arguments; returns its standard output. `None` if the host has
-    /// no tool.
+    /// Runs the tool again in a new process, with these arguments; returns its standard output, or the cause of its
+    /// death if it crashed or was killed. `None` if the host has no tool.
     ///
     /// # Errors
-    /// [`Error::Unfit`] if the process fails.
-    fn again(&self, arguments: &[String]) -> Result<Option<String>, Error> {
+    /// [`Error::Unfit`] if the process refuses the arguments, [`Error::Stopped`] if the host was interrupted meanwhile.
+    fn again(&self, arguments: &[String]) -> Result<Option<Result<String, Broken>>, Error> {
         let _ = arguments;
         Ok(None)
     }

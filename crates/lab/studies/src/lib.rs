@@ -121,6 +121,7 @@ mod host;
 mod precision;
 mod report;
 mod solids;
+mod steps;
 mod study;
 
 pub use common::Common;

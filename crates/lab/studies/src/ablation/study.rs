@@ -6,6 +6,7 @@ use predicament_tasks::{Compared, Contestant};
 use super::row::whole_of;
 use super::{FILE, Row, plots, survey, table};
 use crate::compare::{Input, compared, inputs};
+use crate::steps::surveyed;
 use crate::{Common, Error, File, Host, Study};
 
 /// The whole and variants that lack a device, in turns.
@@ -88,15 +89,11 @@ Examples:
             let more = MORE.iter().filter(|(of, _)| *of == task.name());
             inputs.extend(more.map(|&(_, of)| Input { task, of }));
         }
-        host.begin(inputs.len() as u64, "scenes");
-        let mut rows = Vec::new();
-        for input in inputs {
+        let name = |input: &Input| input.task.name().to_owned();
+        surveyed(host, "scenes", inputs, name, |input| {
             let (input, loaded) = self.scene(input)?;
-            host.turn_to(input.task.name());
-            rows.extend(survey::rows(&input, &loaded, backends, &wholes, self.samples, host.watch())?);
-            host.watch().done(1)?;
-        }
-        Ok(rows)
+            survey::rows(&input, &loaded, backends, &wholes, self.samples, host.watch())
+        })
     }
 
     fn rows(&self, measured: &Vec<Row>) -> Result<Vec<File>, Error> {
@@ -120,7 +117,7 @@ impl Ablation {
     /// The scene of an input, of at most the size that is asked for.
     fn scene(&self, input: Input) -> Result<(Input, LoadedScene), Error> {
         let size = self.size.map_or(usize::MAX, |size| usize::try_from(size).unwrap_or(usize::MAX));
-        let input = Input { of: Compared { n: input.of.n.min(size), ..input.of }, ..input };
+        let input = input.sized(input.of.n.min(size));
         Ok((input, input.timed(self.common.seed)?))
     }
 }

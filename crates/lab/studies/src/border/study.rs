@@ -10,6 +10,7 @@ use predicament_tasks::{AnyTask, Budget, Contestant, Finding, run, vocabulary};
 use serde::Serialize;
 
 use super::{Border, border, suite};
+use crate::steps::surveyed;
 use crate::{Common, Error, File, Host, Study};
 
 /// Wrong answers, and the borders next to them.
@@ -89,18 +90,16 @@ Examples:
     fn survey(&self, backends: &[&dyn Contestant], host: &dyn Host) -> Result<Vec<Found>, Error> {
         let of_kind = |kind: &PredicateKind| host.tasks().iter().copied().find(|task| task.name() == kind.name());
         let tasks: Vec<&'static dyn AnyTask> = PredicateKind::DETERMINANTS.iter().filter_map(of_kind).collect();
-        host.begin((backends.len() * tasks.len() * self.families.len()) as u64, "families");
-        let mut found = Vec::new();
-        for &backend in backends {
-            host.turn_to(&backend.name());
-            for &task in &tasks {
-                for family in &self.families {
-                    found.extend(self.of_family(task, family, backend, host)?);
-                    host.watch().done(1)?;
-                }
-            }
-        }
-        Ok(found)
+        let on_task = |(backend, task)| self.families.iter().map(move |family| (backend, task, family));
+        let of_backend = |&backend| tasks.iter().map(move |&task| (backend, task)).collect::<Vec<_>>();
+        let steps = backends.iter().flat_map(of_backend).flat_map(on_task).collect();
+        surveyed(
+            host,
+            "families",
+            steps,
+            |(backend, ..)| backend.name(),
+            |(backend, task, family)| self.of_family(task, family, backend, host),
+        )
     }
 
     fn rows(&self, measured: &Vec<Found>) -> Result<Vec<File>, Error> {

@@ -15,7 +15,8 @@ pub(super) const MEANING: &str = "Scenes are distinct; a family without randomne
      per query, primitive or triangle of a scene: the median, with the least and the largest sample. Bits is the length of the widest arithmetic that settled an answer: 53 (24 \
      in single precision) if floating point settled all answers; else an upper bound, the degree times the bits of differences, plus the growth of sums. – means unknown: for \
      constructed points, and for libraries that do not say what they compute in. Constructed are the points of the timed scene: a perturbation adds crossings where inputs touch, and \
-     time / point is the ratio to exact of the times for each point, so that a tie's cost stands apart from the number of points.";
+     time / point is the ratio to exact of the times for each point, so that a tie's cost stands apart from the number of points. \
+     KiB is the memory that the process needed besides what earlier backends and scenes had freed, so it depends on them: a lower bound.";
 
 /// The columns, with the measures of their numbers.
 const MEASURES: [(&str, &str); 11] = [

@@ -24,25 +24,42 @@ pub fn inputs(tasks: &[&'static dyn AnyTask]) -> Vec<Input> {
 /// The `tasks` with inputs, restricted to the given names; all if no names are given.
 ///
 /// # Errors
-/// [`Error::Unfit`] with the known names, if one is unknown; `done` is the verb in the message.
+/// As [`asked`].
 pub(crate) fn compared(
     tasks: &[&'static dyn AnyTask],
-    asked: &[String],
+    names: &[String],
     done: &str,
 ) -> Result<Vec<&'static dyn AnyTask>, Error> {
-    let all: Vec<&'static dyn AnyTask> = tasks.iter().copied().filter(|task| !task.compared_on().is_empty()).collect();
-    if let Some(unknown) = asked.iter().find(|name| all.iter().all(|task| task.name() != name.as_str())) {
-        let names: Vec<&str> = all.iter().map(|task| task.name()).collect();
-        return Err(Error::unfit(format!("task `{unknown}` cannot be {done}; the tasks are {}", names.join(", "))));
+    asked(tasks.iter().copied().filter(|task| !task.compared_on().is_empty()).collect(), names, done)
+}
+
+/// The tasks with these names; all `tasks` if no names are given.
+///
+/// # Errors
+/// [`Error::Unfit`] with the known names, if one is unknown; `done` is the verb in the message.
+pub(crate) fn asked(
+    tasks: Vec<&'static dyn AnyTask>,
+    names: &[String],
+    done: &str,
+) -> Result<Vec<&'static dyn AnyTask>, Error> {
+    if let Some(unknown) = names.iter().find(|name| tasks.iter().all(|task| task.name() != name.as_str())) {
+        let known: Vec<&str> = tasks.iter().map(|task| task.name()).collect();
+        return Err(Error::unfit(format!("task `{unknown}` cannot be {done}; the tasks are {}", known.join(", "))));
     }
-    let is_asked = |task: &&'static dyn AnyTask| asked.is_empty() || asked.iter().any(|name| name == task.name());
-    Ok(all.into_iter().filter(is_asked).collect())
+    let is_asked = |task: &&'static dyn AnyTask| names.is_empty() || names.iter().any(|name| name == task.name());
+    Ok(tasks.into_iter().filter(is_asked).collect())
 }
 
 /// The size ratio of the timed scene.
 const TIMED: usize = 8;
 
 impl Input {
+    /// The same kind of scenes in another size.
+    #[must_use]
+    pub fn sized(&self, n: usize) -> Input {
+        Input { of: Compared { n, ..self.of }, ..*self }
+    }
+
     /// The scene of a seed.
     ///
     /// # Errors

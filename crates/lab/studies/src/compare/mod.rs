@@ -37,8 +37,8 @@ mod which;
 mod words;
 
 pub use conditioning::{Conditioned, conditioning};
-pub(crate) use inputs::compared;
 pub use inputs::{Input, inputs};
+pub(crate) use inputs::{asked, compared};
 pub use measure::Measure;
 pub(crate) use memory::peak;
 pub use section::{missing, section};

@@ -88,7 +88,9 @@ Each task has --scenes scenes of each kind: general position, nearly degenerate,
 consecutive. A family without randomness makes one scene, which counts once. Every backend answers all scenes, and is \
 judged as by `run`. Contacts are compared with the contacts of the simplices in rationals. Times are of one scene of \
 each kind, eight times as large, on one thread, with the backends in turns. Memory is the additional memory of the \
-process while a backend prepares and answers that scene, if the system reports it (Linux).
+process while a backend prepares and answers that scene, if the system reports it (Linux). It is a lower bound: memory \
+that earlier backends and scenes freed is used again. For large scenes, `study scale` measures each answer in a process \
+of its own.
 
 A ratio of times is a geometric mean over the inputs that the backend and `exact` both answered; the number of these \
 inputs is shown. It leaves out inputs whose time barely depends on predicates: those where `exact` takes less than \

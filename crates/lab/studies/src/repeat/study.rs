@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use predicament_corpus::LoadedScene;
 use predicament_predicates::{Class, PredicateKind, Sign, ZeroMeaning};
+use predicament_tasks::Contestant;
 use predicament_tasks::signs::SignQueries;
-use predicament_tasks::{Compared, Contestant};
 use serde::Serialize;
 
 use super::answers::{Given, again, given};
@@ -145,7 +145,7 @@ impl Repeat {
     /// The scene of an input, of at most the size that is asked for.
     fn scene(&self, input: &Input) -> Result<(Input, LoadedScene), Error> {
         let size = usize::try_from(self.size).unwrap_or(usize::MAX);
-        let input = Input { of: Compared { n: input.of.n.min(size), ..input.of }, ..*input };
+        let input = input.sized(input.of.n.min(size));
         Ok((input, input.scene(self.common.seed)?))
     }
 
@@ -163,6 +163,7 @@ impl Repeat {
             let Answered { task, scene, answers } = row.map_err(Error::unfit)?;
             Ok(((task, scene), parsed(&answers)))
         };
+        let printed = printed.map_err(Error::unfit)?;
         csv::Reader::from_reader(printed.as_bytes()).deserialize().map(read).collect()
     }
 }

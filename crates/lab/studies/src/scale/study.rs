@@ -1,11 +1,10 @@
 //! The command line of the study, and its survey.
 
-use std::time::Instant;
+use predicament_tasks::{AnyTask, Contestant};
 
-use predicament_tasks::{Compared, Contestant, Purpose, caught};
-
-use super::{Row, plots, table};
-use crate::compare::{Input, peak};
+use super::{Row, apart, plots, table};
+use crate::compare::{Input, asked};
+use crate::steps::surveyed;
 use crate::{Common, Error, File, Host, Study};
 
 /// Scenes that grow tenfold.
@@ -31,13 +30,17 @@ pub struct Scale {
     #[arg(long, default_value_t = 8, value_name = "GIB", value_parser = clap::value_parser!(u32).range(1..))]
     pub memory: u32,
 
+    /// Measure in this process and print the rows, as a new process does for its parent
+    #[arg(long, hide = true)]
+    pub alone: bool,
+
     /// Seed, threads and folder
     #[command(flatten)]
     pub common: Common,
 }
 
 /// The bytes that a process takes for itself while it answers anything: stacks of threads, and pages of code.
-const OWN: f64 = 16_777_216.0;
+const OWN: f64 = 4_194_304.0;
 
 impl Study for Scale {
     const NAME: &'static str = "scale";
@@ -45,9 +48,10 @@ impl Study for Scale {
     const HELP: &'static str = "\
 Each task names scenes of any size whose answers grow like the scenes. They are answered in sizes that grow tenfold, \
 from --min to --max, by the method that is timed elsewhere, on --threads threads. Time is that of the session and the \
-answer; memory is the peak of the process above its memory before, where the system reports it (Linux). A process reuses memory \
-of earlier scenes: for the memory of one size, ask for that task and size alone. Scenes that by their task need more \
-than --memory are not answered.
+answer; memory is the peak of the process above its memory with the scene, where the system reports it (Linux). Each \
+answer is measured in a process of its own, because a process reuses the memory of earlier answers. Scenes that by \
+their task need more than --memory are refused. A process that crashes, or that the system kills when memory runs out, \
+costs its row only.
 
 The exit code is 100 if an answer took more memory than its task states.
 
@@ -68,35 +72,17 @@ Examples:
     }
 
     fn survey(&self, backends: &[&dyn Contestant], host: &dyn Host) -> Result<Vec<Row>, Error> {
-        let all: Vec<Input> =
-            host.tasks().iter().filter_map(|&task| task.scaled_on().map(|of| Input { task, of })).collect();
-        if let Some(unknown) = self.tasks.iter().find(|name| all.iter().all(|input| input.task.name() != name.as_str()))
-        {
-            let names: Vec<&str> = all.iter().map(|input| input.task.name()).collect();
-            return Err(Error::unfit(format!(
-                "task `{unknown}` has no such scenes; the tasks are {}",
-                names.join(", ")
-            )));
-        }
-        let is_asked =
-            |input: &&Input| self.tasks.is_empty() || self.tasks.iter().any(|name| name == input.task.name());
-        let inputs: Vec<&Input> = all.iter().filter(is_asked).collect();
+        let scaled = host.tasks().iter().copied().filter(|task| task.scaled_on().is_some());
+        let tasks = asked(scaled.collect(), &self.tasks, "scaled")?;
         let sizes: Vec<usize> = std::iter::successors(Some(self.min), |size| size.checked_mul(10))
             .take_while(|size| *size <= self.max)
             .map(|size| usize::try_from(size).unwrap_or(usize::MAX))
             .collect();
-        host.begin((inputs.len() * sizes.len() * backends.len()) as u64, "scenes");
-        let mut rows = Vec::new();
-        for input in inputs {
-            host.turn_to(input.task.name());
-            for backend in backends {
-                for &size in &sizes {
-                    rows.push(self.row(input, size, *backend)?);
-                    host.watch().done(1)?;
-                }
-            }
-        }
-        Ok(rows)
+        let of_sizes = |(input, backend): (Input, _)| sizes.iter().map(move |&n| (input.sized(n), backend));
+        let of_task = |task| backends.iter().filter_map(move |&backend| Some((input(task)?, backend)));
+        let steps: Vec<(Input, &dyn Contestant)> = tasks.into_iter().flat_map(of_task).flat_map(of_sizes).collect();
+        let name = |(input, _): &(Input, &dyn Contestant)| format!("{}, {}", input.task.name(), input.of.n);
+        surveyed(host, "scenes", steps, name, |(input, backend)| apart::row(self, &input, backend, host).map(Some))
     }
 
     fn rows(&self, measured: &Vec<Row>) -> Result<Vec<File>, Error> {
@@ -111,48 +97,16 @@ Examples:
         plots::all(measured)
     }
 
+    fn prints_rows(&self) -> bool {
+        self.alone
+    }
+
     fn holds(&self, measured: &Vec<Row>) -> bool {
         measured.iter().all(|row| row.bytes.is_nan() || row.stated.is_nan() || row.bytes <= row.stated + OWN)
     }
 }
 
-impl Scale {
-    fn row(&self, input: &Input, size: usize, backend: &dyn Contestant) -> Result<Row, Error> {
-        let Input { task, of } = *input;
-        let input = Input { task, of: Compared { n: size, ..of } };
-        let loaded = input.scene(self.common.seed)?;
-        let bytes = |bytes: Option<u64>| bytes.map_or(f64::NAN, predicament_records::approximately);
-        let stated = task.memory_of(&loaded);
-        let mut row = Row {
-            task: task.name().to_owned(),
-            family: of.family.to_owned(),
-            backend: backend.name(),
-            size: task.size_of(&loaded),
-            outcome: "refused".to_owned(),
-            seconds: f64::NAN,
-            bytes: f64::NAN,
-            stated: bytes(stated),
-        };
-        if stated.is_some_and(|stated| stated >> 30 >= u64::from(self.memory)) {
-            return Ok(row);
-        }
-        let (scene, content) = (&loaded.scene, loaded.content.as_ref());
-        let mut answered = None;
-        let start = Instant::now();
-        let most = peak(|| {
-            answered = Some(caught(|| backend.answer_any(task.name(), scene, content, Purpose::Use, &mut |_| {})));
-        });
-        row.seconds = start.elapsed().as_secs_f64();
-        row.bytes = bytes(most);
-        row.outcome = match answered {
-            Some(Ok(Ok(()))) => "answered",
-            Some(Err(broken)) => broken.class.name(),
-            _ => "declined",
-        }
-        .to_owned();
-        if row.outcome != "answered" {
-            (row.seconds, row.bytes) = (f64::NAN, f64::NAN);
-        }
-        Ok(row)
-    }
+/// The scenes of a task that grow.
+fn input(task: &'static dyn AnyTask) -> Option<Input> {
+    task.scaled_on().map(|of| Input { task, of })
 }

@@ -15,7 +15,8 @@ pub(super) fn page(rows: &[Row]) -> String {
     for row in rows {
         let [bytes, stated] = row.bytes_each().map(number);
         let [seconds, each] = [row.seconds, row.nanoseconds()].map(number);
-        let Row { task, backend, size, outcome, .. } = row;
+        let Row { task, backend, size, outcome, message, .. } = row;
+        let outcome = if message.is_empty() { outcome.clone() } else { format!("{outcome}: {message}") };
         // Writing to a String cannot fail.
         let _ = writeln!(page, "| {task} | {backend} | {size} | {seconds} | {each} | {bytes} | {stated} | {outcome} |");
     }

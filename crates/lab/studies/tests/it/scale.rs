@@ -7,7 +7,7 @@ use crate::{backend, quiet};
 
 fn study(tasks: &[&str], [min, max]: [u32; 2]) -> Scale {
     let tasks = tasks.iter().map(|&task| task.to_owned()).collect();
-    Scale { backends: Vec::new(), tasks, min, max, memory: 1, common: Common::default() }
+    Scale { backends: Vec::new(), tasks, min, max, memory: 1, alone: true, common: Common::default() }
 }
 
 fn rows(study: &Scale) -> Vec<Row> {
@@ -41,5 +41,6 @@ fn a_scene_that_needs_more_memory_than_is_allowed_is_not_answered() {
     let rows = rows(&study);
     assert_eq!(rows[0].outcome, "refused");
     assert!(rows[0].seconds.is_nan() && rows[0].stated > 1e9 && study.holds(&rows));
+    assert_eq!(rows[0].message, "needs 2 GiB by its task; --memory allows 1");
     assert!(study.page(&rows).contains("| 1000000 | - | - | - |"), "{}", study.page(&rows));
 }
