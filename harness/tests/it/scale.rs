@@ -56,12 +56,13 @@ mod signals {
         let backends = ["-b", "fault:loops", "-b", "exact"];
         let study = [&["study", "scale", "-t", "delaunay2d", "--max", "10000", "--seed", seed][..], &backends].concat();
         let study = tool(&study).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
-        loop {
-            if let Some(&row) = processes_with(&row_of(seed)).first() {
-                return (study, row);
+        let row = loop {
+            match processes_with(&row_of(seed)).first() {
+                Some(&row) => break row,
+                None => std::thread::sleep(std::time::Duration::from_millis(2)),
             }
-            std::thread::sleep(std::time::Duration::from_millis(2));
-        }
+        };
+        (study, row)
     }
 
     /// Words that the process of the row has, and the process that started it has not.
