@@ -159,12 +159,17 @@ impl Polynomial {
     /// `None` if a coefficient needs more than 128 bits.
     #[must_use]
     pub fn taylor(&self, powers: &[u8]) -> Option<Polynomial> {
+        let is_multiple = |exponents: &[u8]| exponents.iter().zip(powers).all(|(have, need)| have >= need);
+        Polynomial::taylor_of(self.terms().filter(|(exponents, _)| is_multiple(exponents)), powers)
+    }
+
+    /// The Taylor coefficient of some monomials, all of them multiples of these powers.
+    pub(crate) fn taylor_of<'t>(
+        monomials: impl Iterator<Item = (&'t [u8], i128)>,
+        powers: &[u8],
+    ) -> Option<Polynomial> {
         let mut found = Polynomial::default();
-        for (exponents, &coefficient) in &self.terms {
-            if exponents.iter().zip(powers).any(|(have, need)| have < need) {
-                continue;
-            }
-            let mut coefficient = coefficient;
+        for (exponents, mut coefficient) in monomials {
             let mut left = Exponents::with_capacity(exponents.len());
             for (&have, &need) in exponents.iter().zip(powers) {
                 coefficient = coefficient.checked_mul(binomial(have, need))?;

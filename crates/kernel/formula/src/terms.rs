@@ -55,33 +55,29 @@ impl Terms {
         let to: Vec<usize> = (0..ranks.len() * coordinates).map(place).collect();
         // Variables by place; equal arguments have become one.
         let placed = merged(polynomial, &to)?;
-        let mut products = BTreeSet::new();
-        for (exponents, _) in placed.terms() {
-            divisors(exponents, &mut products);
-            if products.len() > MOST_PRODUCTS {
-                return Err(format!("more than {MOST_PRODUCTS} products of infinitesimals"));
-            }
+        if !has_few_products(&placed) {
+            return Err(format!("more than {MOST_PRODUCTS} products of infinitesimals"));
         }
         let mut terms = Terms { powers: Vec::new(), coefficients: Vec::new(), programs: Vec::new() };
-        // The first product is empty: the value itself.
-        for reversed in products.into_iter().skip(1) {
-            let powers: Vec<u8> = reversed.into_iter().rev().collect();
-            let coefficient = placed.taylor(&powers).ok_or("a coefficient of a term needs more than 128 bits")?;
-            if coefficient.is_empty() {
-                continue;
+        let all: Vec<Monomial<'_>> = placed.terms().collect();
+        let mut visit = |powers: &[u8], multiples: &[Monomial<'_>]| -> Result<bool, String> {
+            let coefficient = Polynomial::taylor_of(multiples.iter().copied(), powers)
+                .ok_or("a coefficient of a term needs more than 128 bits")?;
+            // The first product is empty: the value itself.
+            if coefficient.is_empty() || powers.iter().all(|&power| power == 0) {
+                return Ok(false);
             }
             let back = unplaced(&coefficient, &to);
-            let is_last = coefficient.degree() == 0;
-            let known = terms.coefficients.iter().any(|known| *known == back || *known == back.negated());
-            if !known {
+            let negative = back.negated();
+            if !terms.coefficients.iter().any(|known| *known == back || *known == negative) {
                 terms.programs.push(program(&back, coordinates));
                 terms.coefficients.push(back);
                 terms.powers.push(to.iter().map(|&place| powers[place]).collect());
             }
-            if is_last {
-                break;
-            }
-        }
+            Ok(coefficient.degree() == 0)
+        };
+        let mut powers = vec![0; to.len()];
+        each_product(&all, to.len(), &mut powers, &mut visit)?;
         Ok(terms)
     }
 
@@ -131,6 +127,51 @@ impl Terms {
     pub fn powers(&self) -> &[Vec<u8>] {
         &self.powers
     }
+}
+
+/// A monomial: its exponents and its coefficient.
+type Monomial<'p> = (&'p [u8], i128);
+
+/// A visit of a product, by its powers and the monomials that are multiples of it; true if it is the last.
+type Visit<'v, 'p> = dyn FnMut(&[u8], &[Monomial<'p>]) -> Result<bool, String> + 'v;
+
+/// Visits the products of infinitesimals of some monomials, with the monomials that are multiples of each, until a visit
+/// returns true; returns true if one did.
+///
+/// The largest product comes first: the one with the lowest power of the smallest infinitesimal, which is the last of
+/// the `open` variables. The powers of those after them are given.
+fn each_product<'p>(
+    multiples: &[Monomial<'p>],
+    open: usize,
+    powers: &mut [u8],
+    visit: &mut Visit<'_, 'p>,
+) -> Result<bool, String> {
+    let Some(last) = open.checked_sub(1) else { return visit(powers, multiples) };
+    let most = multiples.iter().map(|(exponents, _)| exponents[last]).max().unwrap_or(0);
+    let mut rest = multiples.to_vec();
+    for power in 0..=most {
+        rest.retain(|(exponents, _)| exponents[last] >= power);
+        powers[last] = power;
+        if each_product(&rest, last, powers, visit)? {
+            return Ok(true);
+        }
+    }
+    powers[last] = 0;
+    Ok(false)
+}
+
+/// True if there are at most [`MOST_PRODUCTS`] products of infinitesimals.
+fn has_few_products(polynomial: &Polynomial) -> bool {
+    let count = |exponents: &[u8]| exponents.iter().fold(1_usize, |all, &e| all.saturating_mul(usize::from(e) + 1));
+    if polynomial.terms().fold(0_usize, |all, (exponents, _)| all.saturating_add(count(exponents))) <= MOST_PRODUCTS {
+        return true;
+    }
+    // Some may be products of several monomials.
+    let mut products = BTreeSet::new();
+    polynomial.terms().all(|(exponents, _)| {
+        divisors(exponents, &mut products);
+        products.len() <= MOST_PRODUCTS
+    })
 }
 
 /// Adds all divisors of a monomial, with exponents from the smallest infinitesimal on.
