@@ -1,10 +1,11 @@
 //! Checks for edges of a part that pass through its triangles.
 
+use std::cell::OnceCell;
 use std::cmp::Ordering;
 
 use predicament_judge::boxes::{Boxes, Extent, extent};
 
-use super::exact::{Plane, area, side};
+use super::exact::{Plane, area};
 use super::rounded::Rounded;
 use super::{Check, Expected, Flaws, Part, Piece, Slices};
 
@@ -85,20 +86,24 @@ impl Near<'_> {
         pierces(second, of_second, first) || pierces(first, of_first, second)
     }
 
-    /// The side of a point on the plane of a triangle.
-    fn side(&self, triangle: [u32; 3], p: u32) -> Ordering {
-        let exact = || side(self.slices.points(triangle), &self.slices.points[p as usize]);
-        self.rounded.side(triangle, p).unwrap_or_else(exact)
-    }
-
     /// The sides of points on the plane of a triangle; the triangle's own corners are on it.
-    fn sides_of(&self, corners: [u32; 3], points: [u32; 3]) -> [Ordering; 3] {
-        points.map(|p| if corners.contains(&p) { Ordering::Equal } else { self.side(corners, p) })
+    fn sides_of<const N: usize>(&self, corners: [u32; 3], points: [u32; N]) -> [Ordering; N] {
+        let plane = OnceCell::new();
+        let exact = |p: u32| {
+            let plane = plane.get_or_init(|| Plane::of(self.slices.points(corners)));
+            plane.side(&self.slices.points[p as usize])
+        };
+        points.map(|p| {
+            if corners.contains(&p) {
+                return Ordering::Equal;
+            }
+            self.rounded.side(corners, p).unwrap_or_else(|| exact(p))
+        })
     }
 
     /// True if the line through an edge meets the inside of a triangle.
     fn is_inside(&self, [p, q]: [u32; 2], [a, b, c]: [u32; 3]) -> bool {
-        let turns = [[a, b], [b, c], [c, a]].map(|[x, y]| self.side([p, q, x], y));
+        let turns = [[a, b], [b, c], [c, a]].map(|[x, y]| self.sides_of([p, q, x], [y])[0]);
         turns[0] != Ordering::Equal && turns == [turns[0]; 3]
     }
 

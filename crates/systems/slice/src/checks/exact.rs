@@ -37,11 +37,6 @@ pub(super) fn volume([a, b, c]: [&Point; 3]) -> Rational {
     dot(a, &[0, 1, 2].map(|i| component(b, c, i)))
 }
 
-/// The side of p on a plane: `Greater` in the direction of its normal.
-pub(super) fn side(plane: [&Point; 3], p: &Point) -> Ordering {
-    Plane::of(plane).side(p)
-}
-
 /// A plane by a point and a normal.
 pub(super) struct Plane {
     pub(super) normal: Point,
@@ -63,6 +58,7 @@ impl Plane {
         dot(&self.normal, &minus(p, &self.at))
     }
 
+    /// The side of p: `Greater` in the direction of the normal.
     pub(super) fn side(&self, p: &Point) -> Ordering {
         self.height(p).cmp0()
     }

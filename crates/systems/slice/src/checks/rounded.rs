@@ -66,10 +66,11 @@ fn certain(value: f64, bound: f64) -> Option<Ordering> {
 mod tests {
     use rug::Rational;
 
-    use super::super::exact::{area, side};
+    use super::super::exact::{Plane, area};
     use super::*;
 
-    /// Points with many bits, nearly in a plane: rounded signs are those of rationals, and some are not certain.
+    /// Points with many bits, nearly in a plane or on a line, at the origin or far from it: rounded signs are those of
+    /// rationals, and some are not certain.
     #[test]
     fn certain_signs_are_right_and_ties_are_not_certain() {
         let mut state = 7_u64;
@@ -77,33 +78,33 @@ mod tests {
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
             (state >> 33) % bound
         };
-        let (mut certain, mut open) = (0, 0);
+        let mut counts = [[0; 2]; 2];
         for round in 0..2000_u32 {
             let scale = [1_u64, 1 << 20, 1 << 31][round as usize % 3];
+            let far = Rational::from([0_u64, 1 << 40][round as usize / 3 % 2]);
             let mut points: Vec<Point> =
-                (0..3).map(|_| [0, 1, 2].map(|_| Rational::from((next(scale) + 1, next(999) + 1)))).collect();
-            // The centre of the triangle, or that and a little more.
+                (0..3).map(|_| [0, 1, 2].map(|_| Rational::from((next(scale) + 1, next(999) + 1)) + &far)).collect();
+            // The centre of the triangle or of one side, or that and a little more.
             let tiny = Rational::from((next(3), 1_u64 << (next(63) + 1)));
-            points.push([0, 1, 2].map(|i| {
-                let sum = Rational::from(&points[0][i] + &points[1][i]) + &points[2][i];
-                sum / 3 + &tiny * Rational::from(i + 1)
-            }));
+            for of in [3_u32, 2] {
+                points.push([0, 1, 2].map(|i| {
+                    let sum: Rational = points.iter().take(of as usize).map(|point| &point[i]).sum();
+                    sum / of + &tiny * Rational::from(i + 1)
+                }));
+            }
             let rounded = Rounded::of(&points);
-            let [a, b, c, p] = [0, 1, 2, 3].map(|i| &points[i]);
-            let all = [
-                (rounded.side([0, 1, 2], 3), side([a, b, c], p)),
-                (rounded.area([0, 1, 3], 0), area([a, b, p], 0).cmp0()),
-                (rounded.area([1, 2, 3], 1), area([b, c, p], 1).cmp0()),
-            ];
-            for (found, truth) in all {
-                match found {
-                    Some(sign) => assert_eq!(sign, truth, "{points:?}"),
-                    None => open += 1,
+            let [a, b, c, p, q] = [0, 1, 2, 3, 4].map(|i| &points[i]);
+            let plane = Plane::of([a, b, c]);
+            let sides = [(3, p), (4, q)].map(|(at, p)| (rounded.side([0, 1, 2], at), plane.side(p)));
+            let areas = [0, 1].map(|axis| (rounded.area([0, 1, 4], axis), area([a, b, q], axis).cmp0()));
+            for (of, count) in [sides, areas].into_iter().zip(&mut counts) {
+                for (found, truth) in of {
+                    assert!(found.is_none_or(|sign| sign == truth), "{points:?}");
+                    count[usize::from(found.is_some())] += 1;
                 }
-                certain += usize::from(found.is_some());
             }
         }
-        assert!(certain > 3000 && open > 300, "{certain} certain, {open} open");
+        assert!(counts.iter().all(|[open, certain]| *open > 300 && *certain > 300), "{counts:?}");
     }
 
     #[test]
