@@ -10,7 +10,7 @@ use predicament_judge::rational;
 use predicament_judge::solids::Boundary;
 use predicament_overlay::answer::Operation;
 use predicament_predicates::{Construction, Vertex};
-use predicament_slice::checks::Check;
+use predicament_slice::checks::{Check, Flaw};
 
 use super::chains::Chain;
 use super::surface::flaws;
@@ -45,6 +45,7 @@ pub struct Settlement<'a> {
 }
 
 /// A result as a list of triangles over points.
+#[derive(PartialEq)]
 struct Surface {
     points: Vec<Point>,
     triangles: Vec<[u32; 3]>,
@@ -59,6 +60,11 @@ impl Surface {
     fn reach(&self) -> f64 {
         let all = self.points.iter().flatten().map(|x| x.to_f64().abs());
         all.fold(f64::MIN_POSITIVE, f64::max)
+    }
+
+    /// The flaws of the surface; `crossed` triangles are compared with their neighbours.
+    fn flaws(&self, crossed: usize) -> Vec<Flaw> {
+        flaws(self.points.clone(), &self.triangles, crossed)
     }
 
     /// The surface, prepared for winding number queries.
@@ -105,10 +111,16 @@ impl<'a> Settlement<'a> {
     pub fn surfaces(&self, crossed: usize, found: &mut Violations) {
         for ((operation, result), [limit, doubles]) in self.by_operation().zip(&self.surfaces) {
             let name = operation.name();
-            whole(limit, &format!("{name}, limit"), crossed, found);
+            let of_limit = limit.flaws(crossed);
+            whole(limit, &format!("{name}, limit"), &of_limit, crossed, found);
             self.apart(operation, result, found);
+            let of_doubles = match (result.is_whole, doubles == limit) {
+                (false, _) => doubles.flaws(0),
+                (true, true) => of_limit,
+                (true, false) => doubles.flaws(crossed),
+            };
             let crossed = if result.is_whole { crossed } else { 0 };
-            whole(doubles, &format!("{name}, in doubles"), crossed, found);
+            whole(doubles, &format!("{name}, in doubles"), &of_doubles, crossed, found);
             self.beside(operation, result, found);
         }
         if self.laws.is_twice() && !self.settled[2].limit.is_empty() {
@@ -203,7 +215,7 @@ fn in_doubles(result: &Settled<'_>) -> Surface {
 }
 
 /// Checks that a surface is closed, each triangle has an area, none occurs twice, and none passes through another one.
-fn whole(surface: &Surface, of: &str, crossed: usize, found: &mut Violations) {
+fn whole(surface: &Surface, of: &str, flaws: &[Flaw], crossed: usize, found: &mut Violations) {
     let mut seen = BTreeSet::new();
     for &triangle in &surface.triangles {
         let mut sorted = triangle;
@@ -213,7 +225,7 @@ fn whole(surface: &Surface, of: &str, crossed: usize, found: &mut Violations) {
             break;
         }
     }
-    for flaw in flaws(surface.points.clone(), &surface.triangles, crossed) {
+    for flaw in flaws {
         let check = match flaw.check {
             Check::Closed => "settled result not closed",
             Check::SelfIntersection => "settled result crosses itself",

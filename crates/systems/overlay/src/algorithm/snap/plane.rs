@@ -87,7 +87,8 @@ pub fn crossing_estimate([a, b]: [Point; 2], [c, d]: [Point; 2]) -> (Point, Poin
 pub fn distance(p: Point, [a, b]: [Point; 2]) -> f64 {
     let [ab, ap] = [b, p].map(|to| [to[0] - a[0], to[1] - a[1]]);
     let square = ab[0] * ab[0] + ab[1] * ab[1];
-    let along = if square > 0.0 { ((ab[0] * ap[0] + ab[1] * ap[1]) / square).clamp(0.0, 1.0) } else { 0.0 };
+    // (Without length the product is zero, and so is the quotient.)
+    let along = ((ab[0] * ap[0] + ab[1] * ap[1]) / square.max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
     (ap[0] - along * ab[0]).hypot(ap[1] - along * ab[1])
 }
 

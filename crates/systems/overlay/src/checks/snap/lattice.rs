@@ -13,9 +13,13 @@ pub fn cross([a, b]: [Pixel; 2], [c, d]: [Pixel; 2]) -> bool {
     if a == b || c == d || [a, b] == [c, d] || [a, b] == [d, c] {
         return false;
     }
+    let are_apart = |[a, b]: [Pixel; 2], [c, d]: [Pixel; 2], axis: usize| a[axis].max(b[axis]) < c[axis].min(d[axis]);
+    if (0..2).any(|axis| are_apart([a, b], [c, d], axis) || are_apart([c, d], [a, b], axis)) {
+        return false;
+    }
     let is_inside = |p: Pixel, [q, r]: [Pixel; 2]| {
         let within = |axis: usize| q[axis].min(r[axis]) <= p[axis] && p[axis] <= q[axis].max(r[axis]);
-        p != q && p != r && turn(q, r, p) == 0 && within(0) && within(1)
+        p != q && p != r && within(0) && within(1) && turn(q, r, p) == 0
     };
     if is_inside(a, [c, d]) || is_inside(b, [c, d]) || is_inside(c, [a, b]) || is_inside(d, [a, b]) {
         return true;
