@@ -24,7 +24,8 @@
 //! underflow.
 //!
 //! **Overflow.** Rounding is monotone, so no intermediate of the value exceeds the one of v at the same place. If the
-//! bound is infinite or NaN, the filter does not answer.
+//! bound is infinite or NaN, the filter does not answer. If the value overflows in units of u alone, it exceeds every
+//! finite bound. Tests try this on all turns of a few numbers of tiny formats (`tests/it/toy/linear.rs`).
 //!
 //! If the slacks are zero, the bound is the one of [`filter`]: k and the factors of the product make 3 and 7.
 //!
@@ -122,11 +123,20 @@ impl<T: Number> Bounded<T> {
     }
 }
 
+impl<T: Number + PartialOrd> Bounded<T> {
+    /// True if the value has the sign of the true determinant; `units` is 1/u.
+    ///
+    /// A product with `units` that overflows is beyond every finite bound, and truly so.
+    #[inline(always)]
+    #[must_use]
+    pub fn is_certain(self, room: T, roundings: T, units: T) -> bool {
+        self.value.abs() * units > self.bound(room, roundings)
+    }
+}
+
 impl Bounded {
     #[inline(always)]
     fn certain(self, roundings: f64) -> Option<Sign> {
-        // (An infinite value is beyond every finite bound, and truly so.)
-        let in_units = self.value.abs() / UNIT_ROUNDOFF;
-        (in_units > self.bound(ROOM, roundings)).then(|| Sign::of(self.value))
+        self.is_certain(ROOM, roundings, 1.0 / UNIT_ROUNDOFF).then(|| Sign::of(self.value))
     }
 }

@@ -9,6 +9,7 @@
 //!   them in formats of more bits).
 //! * Errors are within ((1 + u)ⁿ − 1)·P and the loss by underflow, which is what the constants are made of.
 
+mod linear;
 mod space;
 
 pub(crate) use space::exact as determinant_of;
@@ -22,7 +23,7 @@ use predicament_exact::{anywhere, estimate};
 /// A number of the format with `P` bits, `K` exponents above the subnormal ones, and the quantum 2^−Q.
 ///
 /// (Every exact result of one operation is a double.)
-#[derive(Clone, Copy, PartialEq, Debug)]
+#[derive(Clone, Copy, PartialEq, PartialOrd, Debug)]
 struct Toy<const P: i32, const K: i32, const Q: i32>(f64);
 
 impl<const P: i32, const K: i32, const Q: i32> Toy<P, K, Q> {
