@@ -2,7 +2,7 @@
 //!
 //! A build a mutant would take hours. So one build of a copied tree has all changes of all algorithms, each behind a
 //! switch ([`sites`]), and the variable `PREDICAMENT_SWITCH` turns one on. The same build notes the outcomes of each
-//! comparison and condition.
+//! comparison and condition; outcomes that no suite has are counted by cause ([`causes`]).
 //!
 //! A mutant that no run notices is hunted for: if a hunt finds a scene on which an answer is wrong, the quick run has
 //! missed it. Otherwise no answer was seen to change: the score leaves the mutant out, and its row says how many there
@@ -10,6 +10,7 @@
 
 #![forbid(unsafe_code)]
 
+mod causes;
 mod render;
 mod runs;
 mod sites;
@@ -19,6 +20,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
+use causes::Causes;
 use runs::{Notice, Suite, Tool};
 use tree::System;
 
@@ -98,10 +100,10 @@ impl Row {
     }
 }
 
-/// Prints the outcomes that no suite has, and how many there are by system; the list is written to a file.
+/// Prints how many outcomes no suite has, by system and by cause; the list is written to a file.
 fn coverage(asked: &Asked, systems: &[System], suites: &[Suite]) -> Result<(), String> {
     let reached: BTreeSet<&(String, usize, u8)> = suites.iter().flat_map(|suite| &suite.reached).collect();
-    let mut list = String::new();
+    let (mut list, mut causes) = (String::new(), Causes::read()?);
     println!("\n| crate | comparisons and conditions | outcomes | seen | never reached |");
     println!("|---|---:|---:|---:|---:|");
     for system in systems {
@@ -121,10 +123,13 @@ fn coverage(asked: &Asked, systems: &[System], suites: &[Suite]) -> Result<(), S
                 [false, true] => "never false",
                 [false, false] => "never reached",
             };
-            list += &format!("{what}: {}\n", system.told(number));
+            let (path, unseen) = (system.path(number), 2 - usize::from(no) - usize::from(yes));
+            let cause = causes.count(&system.name, &path, &switch.text, unseen);
+            list += &format!("{what}: {}: {} ({cause})\n", system.told(number), switch.text);
         }
         println!("| `{}` | {all} | {} | {seen} | {never} |", system.name, 2 * all);
     }
+    print!("{}", causes.told());
     let path = asked.out.join("outcomes-not-seen.txt");
     std::fs::write(&path, list).map_err(|why| format!("{}: {why}", path.display()))
 }

@@ -16,6 +16,8 @@ pub struct Switch {
     pub column: usize,
     /// The change in words, such as `< becomes <=`.
     pub what: String,
+    /// The text that changes, on one line.
+    pub text: String,
     /// True if both outcomes can be noted: a comparison or a condition.
     pub has_outcomes: bool,
 }
@@ -42,12 +44,13 @@ pub struct Edit {
 /// If the file is not Rust.
 pub fn of(text: &str, first: usize, dropped: &[usize]) -> Result<(Vec<Switch>, Vec<Edit>), syn::Error> {
     let file = syn::parse_file(text)?;
-    let mut finder = Finder { first, dropped, switches: Vec::new(), edits: Vec::new() };
+    let mut finder = Finder { text, first, dropped, switches: Vec::new(), edits: Vec::new() };
     finder.visit_file(&file);
     Ok((finder.switches, finder.edits))
 }
 
 struct Finder<'a> {
+    text: &'a str,
     first: usize,
     dropped: &'a [usize],
     switches: Vec<Switch>,
@@ -97,7 +100,8 @@ impl Finder<'_> {
     fn add(&mut self, at: &impl Spanned, what: String, has_outcomes: bool, pieces: impl FnOnce(usize) -> Vec<Piece>) {
         let number = self.first + self.switches.len();
         let start = at.span().start();
-        self.switches.push(Switch { line: start.line, column: start.column + 1, what, has_outcomes });
+        let text = self.text[bytes(at)].split_whitespace().collect::<Vec<_>>().join(" ");
+        self.switches.push(Switch { line: start.line, column: start.column + 1, what, text, has_outcomes });
         if !self.dropped.contains(&number) {
             self.edits.push(Edit { range: bytes(at), pieces: pieces(number), number });
         }

@@ -25,6 +25,12 @@ pub struct System {
 }
 
 impl System {
+    /// The file of a switch below the folder of systems, without the folders of an algorithm.
+    pub fn path(&self, number: usize) -> String {
+        let path = self.files[self.switches[number].0].0.display().to_string();
+        path.trim_start_matches("crates/systems/").replacen("/src/", "/", 1).replacen("/algorithm/", "/", 1)
+    }
+
     /// The place of a switch, for people.
     pub fn told(&self, number: usize) -> String {
         let (file, switch) = &self.switches[number];
