@@ -38,8 +38,7 @@ impl Interned {
         let found = if self.indexed == 0 { None } else { self.look_up(construction) };
         found.or_else(|| {
             let last = &self.list[self.indexed..];
-            let is_there = last.last().is_some_and(|greatest| construction <= greatest);
-            let at = if is_there { last.binary_search(construction).ok() } else { None };
+            let at = if self.is_after_all(construction) { None } else { last.binary_search(construction).ok() };
             at.map(|at| Vertex::constructed(self.indexed + at))
         })
     }
@@ -58,14 +57,38 @@ impl Interned {
         }
     }
 
-    /// Adds a construction that is not in the list.
+    /// The vertex of a construction, which is added if it is not in the list; `None` if there are too many.
     #[inline]
-    pub(crate) fn push(&mut self, construction: Construction) -> Vertex {
-        if self.list[self.indexed..].last().is_some_and(|greatest| construction < *greatest) {
+    pub(crate) fn intern(&mut self, construction: Construction) -> Option<Vertex> {
+        // The usual case: everything is in ascending order.
+        if self.indexed == 0 && self.is_after_all(&construction) {
+            return self.append(construction);
+        }
+        self.find(&construction).or_else(|| self.push(construction))
+    }
+
+    /// Adds a construction that is not in the list; `None` if there are too many.
+    #[inline]
+    pub(crate) fn push(&mut self, construction: Construction) -> Option<Vertex> {
+        if !self.is_after_all(&construction) {
             self.index();
         }
+        self.append(construction)
+    }
+
+    #[inline]
+    fn append(&mut self, construction: Construction) -> Option<Vertex> {
+        if self.list.len() == Vertex::MAX_CONSTRUCTED {
+            return None;
+        }
         self.list.push(construction);
-        Vertex::constructed(self.list.len() - 1)
+        Some(Vertex::constructed(self.list.len() - 1))
+    }
+
+    /// Returns true if a construction is greater than all those that are not in the table.
+    #[inline]
+    fn is_after_all(&self, construction: &Construction) -> bool {
+        self.list[self.indexed..].last().is_none_or(|greatest| construction.is_after(greatest))
     }
 
     /// Reserves space for `more` constructions.
@@ -159,7 +182,7 @@ mod tests {
         for to in [1, 20, 7, 1000, 999, 0, 300, 2000, 1500, 1501, 16, 17] {
             for i in interned.list().len()..to {
                 assert_eq!(interned.find(&definition(i)), None);
-                assert_eq!(interned.push(definition(i)), Vertex::constructed(i));
+                assert_eq!(interned.intern(definition(i)), Some(Vertex::constructed(i)));
             }
             interned.truncate(to);
             check(&interned);
@@ -181,7 +204,7 @@ mod tests {
             let mut interned = Interned::default();
             let mut steps = 0;
             for i in 0..1 << 12 {
-                interned.push(define(i));
+                interned.intern(define(i));
             }
             interned.index();
             for i in 0..1 << 12 {

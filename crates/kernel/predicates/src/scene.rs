@@ -247,15 +247,15 @@ impl Scene {
         let construction = self.checked(construction)?;
         match self.constructions.find(&construction) {
             Some(vertex) => Ok(vertex),
-            None if self.constructions.list().len() == Vertex::MAX_CONSTRUCTED => Err(ConstructionError::TooMany),
-            None => Ok(Arc::make_mut(&mut self.constructions).push(construction)),
+            None => Arc::make_mut(&mut self.constructions).push(construction).ok_or(ConstructionError::TooMany),
         }
     }
 
     /// Constructs many vertices, in order: all of them, or none.
     ///
-    /// The method calls `admit` for each new vertex, in a scene that ends with that vertex. There a session computes
-    /// the point, or says why there is none. Definitions may name vertices that earlier definitions of the call define.
+    /// The method calls `admit` for each new vertex, in their order. There a session computes the point, or says why
+    /// there is none. The scene that it gets has the vertex, and may have some of the later ones. Definitions may name
+    /// vertices that earlier definitions of the call define.
     ///
     /// # Errors
     /// [`Refused::Definition`] for the first definition that the scene or `admit` does not take. The scene is then
@@ -267,51 +267,73 @@ impl Scene {
     ) -> Result<Vec<Vertex>, Refused> {
         let before = self.constructions.list().len();
         let mut vertices = Vec::with_capacity(definitions.len());
-        for (index, &definition) in definitions.iter().enumerate() {
-            let known = self.constructions.list().len();
-            let constructed = self.construct(definition).map_err(DefinitionError::from).and_then(|vertex| {
-                let is_new = self.constructions.list().len() > known;
-                if is_new && known == before && definitions.len() - index > 1 {
-                    Arc::make_mut(&mut self.constructions).reserve(definitions.len() - index - 1);
-                }
-                if is_new { admit(self, vertex).map(|()| vertex) } else { Ok(vertex) }
-            });
-            match constructed {
-                Ok(vertex) => vertices.push(vertex),
-                Err(reason) => {
-                    if self.constructions.list().len() > before {
-                        Arc::make_mut(&mut self.constructions).truncate(before);
+        while vertices.len() < definitions.len() {
+            let (done, mut next) = (vertices.len(), self.constructions.list().len());
+            let mut error = self.add_some(&definitions[done..], &mut vertices).map_err(DefinitionError::from);
+            for at in done..vertices.len() {
+                if vertices[at].construction() == Some(next) {
+                    next += 1;
+                    if let Err(reason) = admit(self, vertices[at]) {
+                        vertices.truncate(at);
+                        error = Err(reason);
+                        break;
                     }
-                    return Err(Refused::Definition { index, definition, reason });
                 }
+            }
+            if let Err(reason) = error {
+                if self.constructions.list().len() > before {
+                    Arc::make_mut(&mut self.constructions).truncate(before);
+                }
+                let index = vertices.len();
+                return Err(Refused::Definition { index, definition: definitions[index], reason });
             }
         }
         Ok(vertices)
     }
 
+    /// Adds the vertices of the first definitions: those that exist already, then some of the others, or those before an
+    /// error.
+    fn add_some(&mut self, definitions: &[Construction], added: &mut Vec<Vertex>) -> Result<(), ConstructionError> {
+        let mut left = definitions.iter();
+        let first = loop {
+            let Some(&definition) = left.next() else { return Ok(()) };
+            let definition = self.checked(definition)?;
+            match self.constructions.find(&definition) {
+                Some(vertex) => added.push(vertex),
+                None => break definition,
+            }
+        };
+        let (dimension, inputs) = (self.dimension, self.len());
+        let list = Arc::make_mut(&mut self.constructions);
+        list.reserve(left.len() + 1);
+        added.push(list.push(first).ok_or(ConstructionError::TooMany)?);
+        for &definition in left.take(TOGETHER) {
+            let definition = canonical(definition, dimension, [inputs, list.list().len()]);
+            let Some(vertex) = definition.and_then(|definition| list.intern(definition)) else {
+                break;
+            };
+            added.push(vertex);
+        }
+        Ok(())
+    }
+
     /// The canonical form of a construction, if the scene can take it.
     #[inline]
     fn checked(&self, construction: Construction) -> Result<Construction, ConstructionError> {
+        let counts = [self.len(), self.constructions.list().len()];
+        canonical(construction, self.dimension, counts).ok_or_else(|| self.why_not(construction))
+    }
+
+    /// The error of a construction.
+    #[cold]
+    #[inline(never)]
+    fn why_not(&self, construction: Construction) -> ConstructionError {
         if let Some(of) = construction.dimension()
             && of != self.dimension
         {
-            return Err(ConstructionError::Dimension { scene: self.dimension, construction: of });
+            return ConstructionError::Dimension { scene: self.dimension, construction: of };
         }
         let construction = construction.canonical();
-        let counts = [self.len(), self.constructions.list().len()];
-        let spanned = match &construction {
-            Construction::Ssi([first, second]) => spans(first, counts) & spans(second, counts),
-            Construction::Lpi { line, plane } => spans(line, counts) & spans(plane, counts),
-            Construction::Tpi([p, q, r]) => spans(p, counts) & spans(q, counts) & spans(r, counts),
-            Construction::Ratio { ends, .. } => spans(ends, counts),
-        };
-        if spanned { Ok(construction) } else { Err(self.why_not(&construction)) }
-    }
-
-    /// The error of a construction in canonical form.
-    #[cold]
-    #[inline(never)]
-    fn why_not(&self, construction: &Construction) -> ConstructionError {
         let faults = construction.flats().find_map(|flat| {
             let missing = flat.iter().find(|&&vertex| !self.has(vertex));
             let repeated = flat.windows(2).find(|pair| pair[0] == pair[1]);
@@ -454,6 +476,25 @@ impl Scene {
     }
 }
 
+/// The number of new vertices that are added together.
+const TOGETHER: usize = 256;
+
+/// The canonical form of a construction, if it is one of a scene with these counts of input and constructed vertices.
+#[inline(always)]
+fn canonical(construction: Construction, dimension: Dimension, counts: [usize; 2]) -> Option<Construction> {
+    if construction.dimension().is_some_and(|of| of != dimension) {
+        return None;
+    }
+    let construction = construction.canonical();
+    let is_spanned = match &construction {
+        Construction::Ssi([first, second]) => spans(first, counts) & spans(second, counts),
+        Construction::Lpi { line, plane } => spans(line, counts) & spans(plane, counts),
+        Construction::Tpi([p, q, r]) => spans(p, counts) & spans(q, counts) & spans(r, counts),
+        Construction::Ratio { ends, .. } => spans(ends, counts),
+    };
+    is_spanned.then_some(construction)
+}
+
 /// Returns true if the vertices are in range for these counts of input and constructed vertices, distinct and sorted.
 #[inline(always)]
 fn spans<const N: usize>(flat: &[Vertex; N], [inputs, constructed]: [usize; 2]) -> bool {
@@ -540,7 +581,7 @@ mod tests {
         let definitions = [ssi([a, e], [c, d]), ssi([c, d], [b, a]), ssi([x, e], [y, a]), ssi([e, a], [d, c])];
         let mut admitted = Vec::new();
         let vertices = scene.construct_all(&definitions, |scene, vertex| {
-            assert_eq!(scene.constructions().len(), vertex.construction().unwrap() + 1, "it is the last one");
+            assert!(scene.has(vertex));
             admitted.push(vertex);
             Ok(())
         });

@@ -133,7 +133,8 @@ impl Decider<'_> {
             queries,
             out,
             stage: stage::COMPARE,
-            climb: |&[a, b]: &[Vertex; 2]| self.decide_compare(axis, a, b),
+            // Input vertices are certain.
+            climb: |&[a, b]: &[Vertex; 2]| self.constructed.compare(axis, a, b),
         })
     }
 }
