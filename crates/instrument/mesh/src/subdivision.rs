@@ -37,15 +37,13 @@ pub struct Subdivision {
     first: Vec<u32>,
     around: Vec<u32>,
     next: Vec<u32>,
-    /// The cycle of each half-edge.
-    cycle: Vec<u32>,
-    /// A half-edge of each cycle.
+    /// The face on the left of each half-edge; its cycle as long as there are no faces.
+    left: Vec<u32>,
+    /// A half-edge of each cycle, the lowest.
     cycles: Vec<u32>,
     /// The component of each node.
     component: Vec<u32>,
     components: usize,
-    /// The face of each cycle.
-    face: Vec<u32>,
     /// The cycle around each face; `NONE` for the unbounded face.
     outer: Vec<u32>,
     /// The other cycles, around components: each with its face.
@@ -71,35 +69,32 @@ impl Subdivision {
         // Each thread has nodes of its own.
         let parts = threads.min(nodes).max(1);
         let part = |part: usize| leaving(&ends, nodes * part / parts..nodes * (part + 1) / parts);
-        let lists: Vec<(Vec<u32>, Vec<u32>)> =
+        let mut lists: Vec<(Vec<u32>, Vec<u32>)> =
             if parts == 1 { vec![part(0)] } else { (0..parts).into_par_iter().map(part).collect() };
-        let next: Vec<AtomicU32> = std::iter::repeat_with(|| AtomicU32::new(NONE)).take(2 * ends.len()).collect();
         let sorted = |(part, (first, mut around)): (usize, (Vec<u32>, Vec<u32>))| {
             sort(nodes * part / parts, &first, &mut around);
-            for range in first.windows(2) {
-                let own = &around[range[0] as usize..range[1] as usize];
-                // A cycle that arrives along a half-edge continues along the one before it: the next clockwise.
-                if let Some(&last) = own.last() {
-                    own.iter().fold(last, |before, &half| {
-                        next[(half ^ 1) as usize].store(before, Relaxed);
-                        half
-                    });
-                }
-            }
             (first, around)
         };
-        let lists: Vec<(Vec<u32>, Vec<u32>)> = if parts == 1 {
-            lists.into_iter().enumerate().map(sorted).collect()
+        let (first, around, next) = if let [list] = &mut lists[..] {
+            let (first, around) = sorted((0, std::mem::take(list)));
+            let mut next = vec![NONE; 2 * ends.len()];
+            link(&first, &around, |half, after| next[half as usize] = after);
+            (first, around, next)
         } else {
-            lists.into_par_iter().enumerate().map(sorted).collect()
+            let next: Vec<AtomicU32> = std::iter::repeat_with(|| AtomicU32::new(NONE)).take(2 * ends.len()).collect();
+            let linked = |list| {
+                let (first, around) = sorted(list);
+                link(&first, &around, |half, after| next[half as usize].store(after, Relaxed));
+                (first, around)
+            };
+            let (first, around) = joined(lists.into_par_iter().enumerate().map(linked).collect());
+            (first, around, next.into_iter().map(AtomicU32::into_inner).collect())
         };
-        let (first, around) = joined(lists);
-        let next = next.into_iter().map(AtomicU32::into_inner).collect();
         let mut subdivision = Subdivision { ends, first, around, next, ..Subdivision::default() };
         let [walk, connect]: [&(dyn Fn() -> (Vec<u32>, Vec<u32>) + Sync); 2] =
             [&|| subdivision.walk(), &|| subdivision.connect(nodes)];
         let (walked, connected) = if threads == 1 { (walk(), connect()) } else { rayon::join(walk, connect) };
-        (subdivision.cycle, subdivision.cycles) = walked;
+        (subdivision.left, subdivision.cycles) = walked;
         subdivision.component = connected.0;
         subdivision.components = connected.1.len();
         subdivision
@@ -153,14 +148,17 @@ impl Subdivision {
     /// the returned flag is true if there was no such component.
     #[must_use]
     pub fn with_faces(mut self, nestings: &[Nesting]) -> (Subdivision, bool) {
-        self.face = vec![0; self.cycles.len()];
+        if !self.outer.is_empty() {
+            (self.left, _) = self.walk();
+        }
+        let mut faces = vec![0; self.cycles.len()];
         for nesting in nestings {
-            self.face[self.cycle[nesting.outside as usize] as usize] = NONE;
+            faces[self.left[nesting.outside as usize] as usize] = NONE;
         }
         self.outer = vec![NONE];
-        self.outer.reserve(self.face.len());
+        self.outer.reserve(faces.len());
         self.inner = Vec::with_capacity(nestings.len());
-        for (cycle, face) in (0..).zip(&mut self.face) {
+        for (cycle, face) in (0..).zip(&mut faces) {
             if *face != NONE {
                 *face = u32::try_from(self.outer.len()).unwrap_or(NONE);
                 self.outer.push(cycle);
@@ -168,15 +166,16 @@ impl Subdivision {
         }
         let mut all_known = true;
         for nesting in nestings {
-            let cycle = self.cycle[nesting.outside as usize];
-            let mut face = nesting.within.map_or(0, |half| self.face[self.cycle[half as usize] as usize]);
+            let cycle = self.left[nesting.outside as usize];
+            let mut face = nesting.within.map_or(0, |half| faces[self.left[half as usize] as usize]);
             if face == NONE {
                 all_known = false;
                 face = 0;
             }
-            self.face[cycle as usize] = face;
+            faces[cycle as usize] = face;
             self.inner.push([face, cycle]);
         }
+        self.left.iter_mut().for_each(|left| *left = faces[*left as usize]);
         (self, all_known)
     }
 
@@ -228,18 +227,11 @@ impl Subdivision {
         &self.cycles
     }
 
-    /// The cycle of a half-edge.
-    #[inline]
-    #[must_use]
-    pub fn cycle(&self, half: u32) -> u32 {
-        self.cycle[half as usize]
-    }
-
     /// The face on the left of a half-edge.
     #[inline]
     #[must_use]
     pub fn face(&self, half: u32) -> u32 {
-        self.face[self.cycle[half as usize] as usize]
+        self.left[half as usize]
     }
 
     /// The next half-edge along the same face.
@@ -313,11 +305,22 @@ fn leaving(ends: &[[u32; 2]], nodes: Range<usize>) -> (Vec<u32>, Vec<u32>) {
     (first, around)
 }
 
-/// The lists of consecutive nodes as one.
-fn joined(mut lists: Vec<(Vec<u32>, Vec<u32>)>) -> (Vec<u32>, Vec<u32>) {
-    if let [one] = &mut *lists {
-        return std::mem::take(one);
+/// Finds the next half-edge of each one that arrives at some nodes: the next clockwise around its node, which is the one
+/// before in the order around it. `set` gets both.
+fn link(first: &[u32], around: &[u32], mut set: impl FnMut(u32, u32)) {
+    for range in first.windows(2) {
+        let own = &around[range[0] as usize..range[1] as usize];
+        if let Some(&last) = own.last() {
+            own.iter().fold(last, |before, &half| {
+                set(half ^ 1, before);
+                half
+            });
+        }
     }
+}
+
+/// The lists of consecutive nodes as one.
+fn joined(lists: Vec<(Vec<u32>, Vec<u32>)>) -> (Vec<u32>, Vec<u32>) {
     let count = lists.iter().map(|(first, _)| first.len() - 1).sum::<usize>();
     let mut first = Vec::with_capacity(count + 1);
     let mut around = Vec::with_capacity(lists.iter().map(|(_, around)| around.len()).sum());
@@ -365,8 +368,12 @@ mod tests {
         assert_eq!(subdivision.faces(), 3);
         assert_eq!(subdivision.face(1), 0);
         assert_eq!(subdivision.face(12), subdivision.face(6));
-        let [inner, outer] = [12, 1].map(|half| [subdivision.face(half), subdivision.cycle(half)]);
-        assert_eq!((subdivision.inner(), inner[0]), (&[outer, inner][..], subdivision.face(6)));
+        let cycle_of = |half: u32| {
+            subdivision.cycles().iter().position(|&first| subdivision.walk_from(first).any(|other| other == half))
+        };
+        for ((half, place), within) in [1, 12].into_iter().zip(subdivision.inner()).zip([0, subdivision.face(6)]) {
+            assert_eq!((place[0], Some(place[1] as usize)), (within, cycle_of(half)));
+        }
         let [vertices, edges, components] = [8, 7, 3];
         assert_eq!(vertices + subdivision.faces(), edges + 1 + components, "Euler");
         // In the outside of a component that comes later.
