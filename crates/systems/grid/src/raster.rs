@@ -12,7 +12,7 @@
 //! common point are in one cell together.
 //!
 //! # How many cells
-//! About two for each segment. If segments are long, there are fewer: at most about four entries per segment.
+//! One for a few segments, otherwise about two for each segment. If segments are long, there are fewer: at most about four entries per segment.
 
 use std::ops::Range;
 
@@ -30,6 +30,8 @@ const MOST: f64 = 4096.0;
 const CELLS: f64 = 2.0;
 /// Entries per segment beyond the first, along each axis.
 const CROSSED: f64 = 1.5;
+/// The number of segments below which there is one cell: pairs are compared sooner than entered in cells.
+const FEW: usize = 24;
 /// The extent below which halving is not exact: such an extent is one cell.
 const SMALLEST: f64 = 1e-290;
 
@@ -87,18 +89,14 @@ impl Raster {
         let [columns, rows] = axes(segments);
         let mut raster = Raster { columns, rows, starts: Vec::new(), entries: Vec::new() };
         // Each thread enters all segments in rows of its own.
-        let bands =
-            parallel::in_parts(rows.count, parallel::threads(segments.len()), &|rows| raster.band(segments, &rows));
-        let (mut starts, mut entries) = (Vec::with_capacity(bands.len()), Vec::with_capacity(bands.len()));
-        let mut before = 0;
-        for (mut own, band) in bands {
-            own.iter_mut().filter(|_| before > 0).for_each(|start| *start += before);
-            before += u32::try_from(band.len()).expect("fewer than 2^32 entries");
-            starts.push(own);
-            entries.push(band);
-        }
-        (raster.starts, raster.entries) = (parallel::joined(starts), parallel::joined(entries));
-        raster.starts.push(before);
+        let threads = parallel::threads(segments.len());
+        let bands = parallel::in_parts(rows.count, threads, &|rows| raster.band(segments, &rows));
+        (raster.starts, raster.entries) = bands.joined(|(starts, entries), (own, mut band)| {
+            let before = number(entries.len());
+            starts.extend(own.iter().map(|start| before + start));
+            entries.append(&mut band);
+        });
+        raster.starts.push(number(raster.entries.len()));
         raster
     }
 
@@ -215,10 +213,17 @@ impl Raster {
     }
 }
 
+fn number(entries: usize) -> u32 {
+    u32::try_from(entries).expect("fewer than 2^32 entries")
+}
+
 /// Columns and rows for these segments.
 #[allow(clippy::cast_precision_loss)] // about
 fn axes(segments: &[Segment]) -> [Axis; 2] {
     let extents = [0, 1].map(|axis| extent(segments.as_flattened().iter().map(|end| end[axis])));
+    if segments.len() < FEW {
+        return extents.map(|extent| Axis::new(extent, 1.0));
+    }
     let all = segments.len() as f64;
     // The mean number of cells that a segment crosses along each axis, at one cell per segment length.
     let crossed = [0, 1].map(|axis: usize| {

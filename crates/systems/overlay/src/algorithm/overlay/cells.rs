@@ -6,8 +6,9 @@
 //!   spokes side by side make none. Ends that are nearer than rounding errors count as alternating.
 //! * *Short* segments are tested against those whose boxes meet theirs, found in the order of their left ends.
 //!
-//! If most chords of a crowded cell cross, they may pass through one point. Then one crossing is constructed, and all
-//! chords through it form one *bundle*: an entry for each chord, not for each pair.
+//! If most chords of a crowded cell cross, they may pass through one point. If many pass near the crossing of two of
+//! them, by rounded coordinates, this crossing is constructed. All chords through it form one *bundle*: an entry for
+//! each chord, not for each pair.
 
 use std::mem;
 use std::ops::Range;
@@ -32,6 +33,11 @@ const NEAR: f64 = 1.0 / 65536.0;
 const TANGLE: usize = 16;
 /// The minimum number of segments in a bundle.
 const BUNDLE: usize = 16;
+/// One more than the number of points that a search for bundles tries.
+const PROBES: usize = 8;
+/// The distance from a bundle's point to the lines of its chords, in units of the cell: much more than rounding errors,
+/// which would only hide the bundle.
+const AROUND: f64 = 1.0 / 256.0;
 /// The maximum number of pairs tested in crowded cells.
 const MOST_PAIRS: u64 = 1 << 34;
 
@@ -50,6 +56,8 @@ pub(super) struct Cells<'a> {
     asker: Asker<'a>,
     /// Cells with chords that may be a bundle.
     tangles: Vec<usize>,
+    /// Pairs to be tested.
+    pairs: Vec<[u32; 2]>,
     budget: &'a Budget,
 }
 
@@ -74,33 +82,51 @@ pub(super) fn meetings(
     let all = raster.count();
     let some = |budget: &Budget, range: Range<usize>| {
         let most = if range.len() == all { usize::MAX } else { MOST_FOUND };
-        let mut cells = Cells { raster, reach, ends, asker: Asker::new(ends), tangles: Vec::new(), budget };
+        let mut cells = Cells::new(raster, reach, ends, budget);
         cells.some(&*session, range, most);
         (cells.asker.found, cells.tangles)
     };
     let mut parts = parallel::uneven(all, raster.entries(), &|range| some(&budget, range));
-    if parts.len() > 1 && budget.found.load(Relaxed) > MOST_FOUND {
+    if !parts.is_single() && budget.found.load(Relaxed) > MOST_FOUND {
         drop(parts);
         budget = Budget::default();
-        parts = vec![some(&budget, 0..all)];
+        parts = parallel::in_parts(all, 1, &|range| some(&budget, range));
     }
-    let mut cells = Cells { raster, reach, ends, asker: Asker::new(ends), tangles: Vec::new(), budget: &budget };
-    for (found, tangles) in parts {
-        cells.asker.found.append(found);
-        cells.tangles.extend(tangles);
-    }
-    for cell in std::mem::take(&mut cells.tangles) {
-        if cells.is_too_much() {
-            break;
+    let (mut found, tangles) = parts.joined(|(found, tangles), (more, mut others)| {
+        found.append(more);
+        tangles.append(&mut others);
+    });
+    if !tangles.is_empty() {
+        let mut cells = Cells::new(raster, reach, ends, &budget);
+        cells.asker.found = found;
+        for cell in tangles {
+            if cells.is_too_much() {
+                break;
+            }
+            cells.tangle(session, cell)?;
         }
-        cells.tangle(session, cell)?;
+        cells.asker.flush(&*session);
+        found = cells.asker.found;
     }
-    cells.asker.flush(&*session);
-    cells.asker.found.settle(ends.len());
-    if cells.is_too_much() { Err(cells.too_many()) } else { Ok(cells.asker.found) }
+    found.settle(ends.len());
+    let too_many_pairs = budget.asked.load(Relaxed) > MOST_PAIRS;
+    if found.too_many || too_many_pairs { Err(too_many(found.too_many)) } else { Ok(found) }
 }
 
-impl Cells<'_> {
+/// The refusal of a scene with too many crossings, or too many pairs to test.
+fn too_many(crossings: bool) -> Refused {
+    Refused::session(if crossings {
+        format!("there are more than {} crossings: divide the scene", super::meet::MOST_CROSSINGS)
+    } else {
+        format!("more than {MOST_PAIRS} pairs of segments are near each other: use the sweep")
+    })
+}
+
+impl<'a> Cells<'a> {
+    fn new(raster: &'a Raster, reach: &'a Reach, ends: &'a [[Vertex; 2]], budget: &'a Budget) -> Cells<'a> {
+        Cells { raster, reach, ends, asker: Asker::new(ends), tangles: Vec::new(), pairs: Vec::new(), budget }
+    }
+
     /// Tests the segments in a range of cells, until more than `most` crossings are found.
     fn some(&mut self, session: &dyn Predicates, range: Range<usize>, most: usize) {
         let mut boxes = Vec::new();
@@ -163,14 +189,6 @@ impl Cells<'_> {
         segments
     }
 
-    fn too_many(&self) -> Refused {
-        Refused::session(if self.asker.found.too_many {
-            format!("there are more than {} crossings: divide the scene", super::meet::MOST_CROSSINGS)
-        } else {
-            format!("more than {MOST_PAIRS} pairs of segments are near each other: use the sweep")
-        })
-    }
-
     /// The segments of a cell that are long in it, as chords, and the others.
     fn chords(&self, cell: usize) -> (Vec<Chord>, Vec<u32>) {
         let members = self.raster.cell(cell);
@@ -191,9 +209,14 @@ impl Cells<'_> {
         if !short.is_empty() {
             self.short(session, self.raster.cell(cell), &short);
         }
-        match crossing_chords(&chords, TANGLE * chords.len()) {
-            Some(pairs) => self.pairs(session, &pairs),
-            None => self.tangles.push(cell),
+        let border = Border::new(&chords);
+        if self.few(session, &border) {
+            return;
+        }
+        if (1..PROBES).any(|part| self.may_be_bundle(cell, &chords, part)) {
+            self.tangles.push(cell);
+        } else {
+            self.many(session, &border);
         }
     }
 
@@ -201,37 +224,31 @@ impl Cells<'_> {
     fn tangle(&mut self, session: &mut dyn Predicates, cell: usize) -> Result<(), Refused> {
         let (mut chords, _) = self.chords(cell);
         while chords.len() > 1 {
-            let Some(pairs) = crossing_chords(&chords, TANGLE * chords.len()) else {
-                let Some(bundle) = self.bundle(session, &chords)? else {
-                    let most = usize::try_from(MOST_PAIRS).unwrap_or(usize::MAX);
-                    let Some(pairs) = crossing_chords(&chords, most) else {
-                        self.budget.asked.store(MOST_PAIRS + 1, Relaxed);
-                        return Ok(());
-                    };
-                    self.pairs(&*session, &pairs);
-                    return Ok(());
-                };
-                let in_bundle = |(at, _): &Chord| bundle.binary_search(at).is_ok();
-                let together: Vec<_> = chords.iter().copied().filter(in_bundle).collect();
-                self.in_line(&*session, &together);
-                chords.retain(|chord| !in_bundle(chord));
-                for &(at, _) in &chords {
-                    let own = self.reach.boxes[at as usize];
-                    for &other in &bundle {
-                        if self.meets(&own, &self.reach.boxes[other as usize]) {
-                            self.ask(&*session, at, other);
-                        }
-                    }
-                    self.count(bundle.len());
-                    if self.is_too_much() {
-                        return Ok(());
+            let border = Border::new(&chords);
+            if self.few(&*session, &border) {
+                return Ok(());
+            }
+            let Some(bundle) = self.bundle(session, cell, &chords)? else {
+                self.many(&*session, &border);
+                return Ok(());
+            };
+            let in_bundle = |(at, _): &Chord| bundle.binary_search(at).is_ok();
+            let together: Vec<_> = chords.iter().copied().filter(in_bundle).collect();
+            self.in_line(&*session, &together);
+            chords.retain(|chord| !in_bundle(chord));
+            for &(at, _) in &chords {
+                let own = self.reach.boxes[at as usize];
+                for &other in &bundle {
+                    if self.meets(&own, &self.reach.boxes[other as usize]) {
+                        self.ask(&*session, at, other);
                     }
                 }
-                self.asker.found.bundles.push(self.segments_of(&bundle));
-                continue;
-            };
-            self.pairs(&*session, &pairs);
-            return Ok(());
+                self.count(bundle.len());
+                if self.is_too_much() {
+                    return Ok(());
+                }
+            }
+            self.asker.found.bundles.push(self.segments_of(&bundle));
         }
         Ok(())
     }
@@ -243,23 +260,42 @@ impl Cells<'_> {
 
     /// Tests the pairs of a bundle that are on one line: they have more than its point in common.
     fn in_line(&mut self, session: &dyn Predicates, bundle: &[Chord]) {
-        let mut pairs = Vec::new();
-        near_ends(bundle, &border_ends(bundle), usize::MAX, &mut pairs);
         let view = View::new(session);
-        for [i, j] in pairs {
+        Border::new(bundle).near(usize::MAX, |i, j| {
             let [[a, b], [c, d]] = [i, j].map(|at| self.ends_of(at));
             if view.turn(a, b, c) == Sign::Zero && view.turn(a, b, d) == Sign::Zero {
                 self.ask(session, i, j);
             }
-        }
+        });
     }
 
-    fn pairs(&mut self, session: &dyn Predicates, pairs: &[[u32; 2]]) {
-        self.count(pairs.len());
-        for &[i, j] in pairs {
-            if self.meets(&self.reach.boxes[i as usize], &self.reach.boxes[j as usize]) {
-                self.ask(session, i, j);
-            }
+    /// Tests the pairs of chords that may cross, if these are not so many that a bundle is worth a search.
+    fn few(&mut self, session: &dyn Predicates, border: &Border<'_>) -> bool {
+        let most = TANGLE * border.chords.len();
+        let mut pairs = mem::take(&mut self.pairs);
+        pairs.clear();
+        let are_few = border.each(most, |i, j| pairs.push([i, j])) <= most;
+        if are_few {
+            self.count(pairs.len());
+            pairs.iter().for_each(|&[i, j]| self.pair(session, i, j));
+        }
+        self.pairs = pairs;
+        are_few
+    }
+
+    /// Tests the pairs of chords that may cross, as far as more pairs are allowed.
+    fn many(&mut self, session: &dyn Predicates, border: &Border<'_>) {
+        let left = MOST_PAIRS.saturating_sub(self.budget.asked.load(Relaxed));
+        let left = usize::try_from(left).unwrap_or(usize::MAX);
+        let count = border.each(left, |i, j| self.pair(session, i, j));
+        self.count(count);
+    }
+
+    /// Tests two parts if their boxes meet.
+    #[inline]
+    fn pair(&mut self, session: &dyn Predicates, i: u32, j: u32) {
+        if self.meets(&self.reach.boxes[i as usize], &self.reach.boxes[j as usize]) {
+            self.ask(session, i, j);
         }
     }
 
@@ -286,14 +322,40 @@ impl Cells<'_> {
         self.count(pairs);
     }
 
+    /// Two neighbours in the list of chords, about an eighth of it after the neighbours of the part before.
+    fn probe(chords: &[Chord], part: usize) -> [u32; 2] {
+        let at = chords.len() * part / PROBES;
+        [chords[at - 1].0, chords[at].0]
+    }
+
+    /// True if enough chords pass near the point of two neighbours to be a bundle, by coordinates in the cell.
+    fn may_be_bundle(&self, cell: usize, chords: &[Chord], part: usize) -> bool {
+        let seen = |at: u32| self.raster.seen_from(cell, &self.reach.raw[at as usize]);
+        let cross = |u: [f64; 2], v: [f64; 2]| u[0] * v[1] - u[1] * v[0];
+        let minus = |p: [f64; 2], q: [f64; 2]| [p[0] - q[0], p[1] - q[1]];
+        let [[a, b], [c, d]] = Self::probe(chords, part).map(seen);
+        let [u, v] = [minus(b, a), minus(d, c)];
+        let place = cross(minus(c, a), v) / cross(u, v);
+        let point = [a[0] + place * u[0], a[1] + place * u[1]];
+        let passes = |&&(at, _): &&Chord| {
+            let [a, b] = seen(at);
+            let along = minus(b, a);
+            cross(along, minus(point, a)).abs() <= AROUND * along[0].abs().max(along[1].abs())
+        };
+        chords.iter().filter(passes).count() >= least(chords)
+    }
+
     /// The segments through one point of a tangle, ascending; `None` if no point has enough of them.
-    fn bundle(&mut self, session: &mut dyn Predicates, chords: &[Chord]) -> Result<Option<Vec<u32>>, Refused> {
-        // A few pairs of neighbours around the border: in a bundle most of these cross in its point.
-        for part in 1..8 {
-            let at = chords.len() * part / 8;
-            let [i, j] = [chords[at - 1].0, chords[at].0];
-            let lines = [i, j].map(|at| self.ends_of(at));
-            if !crosses(&*session, lines) {
+    fn bundle(
+        &mut self,
+        session: &mut dyn Predicates,
+        cell: usize,
+        chords: &[Chord],
+    ) -> Result<Option<Vec<u32>>, Refused> {
+        // A few pairs of neighbours: in a bundle most of these cross in its point.
+        for part in 1..PROBES {
+            let lines = Self::probe(chords, part).map(|at| self.ends_of(at));
+            if !self.may_be_bundle(cell, chords, part) || !crosses(&*session, lines) {
                 continue;
             }
             let point = session.construct(&[Construction::Ssi(lines)])?[0];
@@ -303,7 +365,7 @@ impl Cells<'_> {
                 session.orient2d(Plane::Xy, a, b, point) == Sign::Zero && is_within(session, [a, b], point)
             };
             let mut bundle: Vec<u32> = chords.iter().filter(passes).map(|(at, _)| *at).collect();
-            if bundle.len() >= BUNDLE.max(chords.len() / 8) {
+            if bundle.len() >= least(chords) {
                 bundle.sort_unstable();
                 return Ok(Some(bundle));
             }
@@ -364,50 +426,79 @@ fn chord([a, b]: [[f64; 2]; 2]) -> Option<[f64; 2]> {
     Some([s.min(t), s.max(t)])
 }
 
-/// The ends of chords on the border with the chords' indices, in the order around it.
-fn border_ends(chords: &[Chord]) -> Vec<(f64, u32)> {
-    let mut ends: Vec<(f64, u32)> =
-        chords.iter().zip(0_u32..).flat_map(|(&(_, [s, t]), at)| [(s, at), (t, at)]).collect();
-    ends.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-    ends
+/// The minimum number of segments in a bundle of these chords.
+fn least(chords: &[Chord]) -> usize {
+    BUNDLE.max(chords.len() / 8)
 }
 
-/// The pairs of chords whose ends alternate around the border, or are too near to decide; `None` if there are more than
-/// `most`.
-fn crossing_chords(chords: &[Chord], most: usize) -> Option<Vec<[u32; 2]>> {
-    let ends = border_ends(chords);
-    let number = |at: u32| chords[at as usize].0;
-    let mut pairs = Vec::new();
-    // Open chords, in the order of their first ends.
-    let mut open: Vec<u32> = Vec::new();
-    let mut is_open = vec![false; chords.len()];
-    for &(_, at) in &ends {
-        if mem::replace(&mut is_open[at as usize], true) {
-            let place = open.iter().rposition(|&other| other == at)?;
-            pairs.extend(open[place + 1..].iter().map(|&other| [number(at), number(other)]));
-            open.remove(place);
-        } else {
-            open.push(at);
-        }
-        if pairs.len() > most {
-            return None;
-        }
-    }
-    near_ends(chords, &ends, most, &mut pairs).then_some(pairs)
+/// The ends of chords on the border of a cell.
+struct Border<'a> {
+    chords: &'a [Chord],
+    /// The ends in the order around the border, each in one number: its place in the upper half, then its chord.
+    ends: Vec<u64>,
 }
 
-/// Adds the pairs of chords with ends near each other, also across the corner where positions begin; returns true if
-/// there are at most `most` pairs.
-fn near_ends(chords: &[Chord], ends: &[(f64, u32)], most: usize, pairs: &mut Vec<[u32; 2]>) -> bool {
-    let number = |at: u32| chords[at as usize].0;
-    for (place, &(s, at)) in ends.iter().enumerate() {
-        let around = ends[place + 1..].iter().copied();
-        let beyond = ends[..place].iter().map(|&(t, other)| (t + 4.0, other));
-        let near = around.chain(beyond).take_while(|&(t, _)| t - s <= NEAR);
-        pairs.extend(near.filter(|&(_, other)| other != at).map(|(_, other)| [number(at), number(other)]));
-        if pairs.len() > most {
-            return false;
-        }
+/// The places on a border of length 1: truncation is far below [`NEAR`].
+const PLACES: f64 = 1_073_741_824.0;
+
+impl Border<'_> {
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // from 0 to 4, and `as` saturates
+    fn new(chords: &[Chord]) -> Border<'_> {
+        let end = |at: u32, place: f64| u64::from((place * PLACES) as u32) << 32 | u64::from(at);
+        let ends = chords.iter().zip(0_u32..).flat_map(|(&(_, [s, t]), at)| [end(at, s), end(at, t)]);
+        let mut border = Border { chords, ends: ends.collect() };
+        border.ends.sort_unstable();
+        border
     }
-    true
+
+    /// The index of the chord of an end.
+    #[allow(clippy::cast_possible_truncation)] // the lower half
+    fn chord(end: u64) -> usize {
+        end as u32 as usize
+    }
+
+    /// Visits the pairs of segments whose chords alternate around the border, or have ends near each other, also across
+    /// the corner where positions begin. Ends after more than `most` pairs; returns the number of pairs.
+    fn each(&self, most: usize, mut visit: impl FnMut(u32, u32)) -> usize {
+        let mut count = 0;
+        // Open chords, in the order of their first ends.
+        let mut open: Vec<usize> = Vec::new();
+        let mut is_open = vec![false; self.chords.len()];
+        for &end in &self.ends {
+            let at = Border::chord(end);
+            if !mem::replace(&mut is_open[at], true) {
+                open.push(at);
+            } else if let Some(place) = open.iter().rposition(|&other| other == at) {
+                let others = &open[place + 1..];
+                count += others.len();
+                if count > most {
+                    return count;
+                }
+                others.iter().for_each(|&other| visit(self.chords[at].0, self.chords[other].0));
+                open.remove(place);
+            }
+        }
+        count + self.near(most - count, visit)
+    }
+
+    /// Visits the pairs of segments whose chords have ends near each other, as [`Border::each`].
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a whole number
+    fn near(&self, most: usize, mut visit: impl FnMut(u32, u32)) -> usize {
+        const REACH: u64 = (NEAR * PLACES) as u64;
+        let mut count = 0;
+        for (place, &end) in self.ends.iter().enumerate() {
+            let at = Border::chord(end);
+            let last = (end >> 32) + REACH;
+            let around = self.ends[place + 1..].iter().take_while(|&&other| other >> 32 <= last);
+            let beyond = self.ends[..place].iter().take_while(|&&other| (other >> 32) + (1 << 32) <= last);
+            for other in around.chain(beyond).map(|&other| Border::chord(other)).filter(|&other| other != at) {
+                visit(self.chords[at].0, self.chords[other].0);
+                count += 1;
+                if count > most {
+                    return count;
+                }
+            }
+        }
+        count
+    }
 }

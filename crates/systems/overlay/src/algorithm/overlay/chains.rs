@@ -5,9 +5,10 @@ use std::ops::Range;
 use predicament_grid::parallel;
 use predicament_predicates::{Predicates, Refused, Scene, Vertex};
 
-use super::along::{OnSegments, Order};
+use super::along::{self, OnSegments, Order};
 use super::far::Run;
-use super::meet::{Meetings, Pair};
+use super::meet::{Crossing, Meetings};
+use super::reach::Reach;
 use super::supports::{Label, Supports};
 use super::view::View;
 use super::{Contradiction, NONE, number};
@@ -41,8 +42,8 @@ pub(super) struct Chains {
     pub pieces: Vec<Piece>,
     /// The runs; the last pieces stand for them, in the same order.
     pub runs: Vec<Run>,
-    /// The two segments of each constructed node, if each is a crossing of two segments and nothing else.
-    pub crossings: Vec<Pair>,
+    /// The crossing of each constructed node, if each is a crossing of two segments and nothing else.
+    pub crossings: Vec<Crossing>,
     /// The first rule that signs break.
     pub broken: Option<Contradiction>,
 }
@@ -64,19 +65,23 @@ impl Slots {
     }
 }
 
-/// Vertices at one position, by union-find; the root of a class is its lowest slot. Empty if all are apart.
+/// Vertices at one position, by union-find; the root of a class is its lowest slot. Vertices beyond the list are apart.
 struct Places(Vec<u32>);
 
 impl Places {
     fn new(slots: Slots, scene: &Scene, same: &[[Vertex; 2]]) -> Places {
-        let count = if same.is_empty() { 0 } else { number(slots.inputs + scene.constructions().len()) };
-        let mut places = Places((0..count).collect());
+        let count = match same.as_flattened().iter().max() {
+            None => 0,
+            Some(v) if !v.is_constructed() => slots.inputs,
+            Some(_) => slots.inputs + scene.constructions().len(),
+        };
+        let mut places = Places((0..number(count)).collect());
         same.iter().for_each(|pair| places.unite(pair.map(|v| slots.of(v))));
         places
     }
 
     fn root(&mut self, mut slot: u32) -> u32 {
-        if self.0.is_empty() {
+        if slot as usize >= self.0.len() {
             return slot;
         }
         while self.0[slot as usize] != slot {
@@ -92,6 +97,21 @@ impl Places {
     }
 }
 
+/// The nodes of slots.
+struct Nodes {
+    /// The node of each of the first slots; `NONE` if it has none.
+    node: Vec<u32>,
+    /// The difference of the others and their nodes.
+    less: u32,
+}
+
+impl Nodes {
+    #[inline]
+    fn of(&self, slot: u32) -> u32 {
+        self.node.get(slot as usize).copied().unwrap_or_else(|| slot - self.less)
+    }
+}
+
 impl Chains {
     /// Constructs the crossings and sorts the vertices on each segment.
     ///
@@ -100,40 +120,38 @@ impl Chains {
     pub fn new(
         session: &mut dyn Predicates,
         supports: &Supports,
+        reach: &Reach,
         meetings: Meetings,
         runs: Vec<Run>,
     ) -> Result<Chains, Refused> {
-        let on_segments = OnSegments::new(session, supports, meetings)?;
+        let on_segments = OnSegments::new(session, supports, reach, meetings)?;
         let view = View::new(session);
         let scene = session.scene();
         let slots = Slots { inputs: scene.len() };
         let count = supports.ends.len();
         let sort = |range: Range<usize>| Sorted::new(view, supports, &on_segments, range);
-        let mut chains = Chains::default();
-        chains.first.reserve(count + 1);
-        let mut same = on_segments.same.clone();
-        for mut sorted in parallel::uneven(count, count + on_segments.vertices.len(), &sort) {
-            let before = number(chains.along.len());
-            chains.first.extend(sorted.first.iter().map(|first| before + first));
-            if chains.along.is_empty() {
-                chains.along = sorted.along;
-            } else {
-                chains.along.append(&mut sorted.along);
-            }
-            same.append(&mut sorted.same);
-        }
+        let sorted = parallel::uneven(count, count + on_segments.vertices.len(), &sort).joined(|all, mut sorted| {
+            let before = number(all.along.len());
+            all.first.extend(sorted.first.iter().map(|first| before + first));
+            all.along.append(&mut sorted.along);
+            all.same.append(&mut sorted.same);
+        });
+        let Sorted { first, along, mut same } = sorted;
+        same.extend_from_slice(&on_segments.same);
+        let mut chains = Chains { first, along, ..Chains::default() };
         chains.first.push(number(chains.along.len()));
         let mut places = Places::new(slots, scene, &same);
-        let node = chains.number_nodes(scene, slots, &mut places, on_segments.are_ascending);
+        // All constructed vertices are on segments, and at positions of their own.
+        let are_new = on_segments.are_ascending && supports.are_whole && places.0.len() <= slots.inputs;
+        let numbers = chains.number_nodes(scene, slots, &mut places, on_segments.are_ascending, are_new);
         // Crossings and touches of a segment are different vertices, and not its ends.
         let are_apart = supports.are_whole && same.is_empty() && !on_segments.may_be_ends;
         if !are_apart {
             chains.join_repeats();
         }
-        let mut node_of = |v: Vertex| node[places.root(slots.of(v)) as usize];
+        let mut node_of = |v: Vertex| numbers.of(places.root(slots.of(v)));
         chains.cut(supports, &mut node_of, on_segments.has_overlaps);
-        let is_simple = are_apart && !on_segments.has_overlaps && on_segments.are_ascending;
-        if is_simple && chains.nodes.len() - chains.inputs == on_segments.crossings.len() {
+        if are_new && !on_segments.has_overlaps {
             chains.crossings = on_segments.crossings;
         }
         for run in runs {
@@ -155,12 +173,25 @@ impl Chains {
         self.first[segment] as usize..self.first[segment + 1] as usize
     }
 
-    /// Converts slots to nodes, one for each position on a segment; returns the node of each representative slot.
-    fn number_nodes(&mut self, scene: &Scene, slots: Slots, places: &mut Places, are_ascending: bool) -> Vec<u32> {
-        let mut node = vec![NONE; slots.inputs + scene.constructions().len()];
+    /// Converts slots to nodes, one for each position on a segment; returns the nodes of representative slots.
+    ///
+    /// If `are_new`, constructed vertices are numbered in their order.
+    fn number_nodes(
+        &mut self,
+        scene: &Scene,
+        slots: Slots,
+        places: &mut Places,
+        are_ascending: bool,
+        are_new: bool,
+    ) -> Nodes {
+        let all = scene.constructions().len();
+        let counted = if are_new { all } else { 0 };
+        let mut node = vec![NONE; slots.inputs + all - counted];
         for slot in &mut self.along {
             *slot = places.root(*slot);
-            node[*slot as usize] = 0;
+            if let Some(node) = node.get_mut(*slot as usize) {
+                *node = 0;
+            }
         }
         let (inputs, constructed) = node.split_at(slots.inputs);
         let used = |of: &[u32], from: usize| -> Vec<Vertex> {
@@ -178,8 +209,10 @@ impl Chains {
         for (at, &v) in self.nodes.iter().enumerate() {
             node[slots.of(v) as usize] = number(at);
         }
-        self.along.iter_mut().for_each(|slot| *slot = node[*slot as usize]);
-        node
+        self.nodes.extend((0..counted).map(Vertex::constructed));
+        let nodes = Nodes { less: number(slots.inputs - self.inputs), node };
+        self.along.iter_mut().for_each(|slot| *slot = nodes.of(*slot));
+        nodes
     }
 
     /// Merges consecutive vertices at one position of a segment into one node of its chain.
@@ -325,14 +358,14 @@ impl Sorted {
             inner.extend_from_slice(on_segments.of(segment));
             if !supports.are_whole {
                 let spans = supports.spans(segment).iter();
-                inner.extend(spans.flat_map(|span| [(span.from, NONE), (span.to, NONE)]));
+                inner.extend(spans.flat_map(|span| [span.from, span.to]).map(|v| along::inner(scene, ends, v)));
             } else if inner.is_empty() {
                 sorted.along.extend(ends.map(|v| slots.of(v)));
                 continue;
             } else if on_segments.may_be_ends {
-                inner.extend(ends.map(|v| (v, NONE)));
+                inner.extend(ends.map(|v| along::inner(scene, ends, v)));
             }
-            order.sort(segment, &inner, &mut sorted.same);
+            order.sort(segment, &mut inner, &mut sorted.same);
             let is_open = supports.are_whole && !on_segments.may_be_ends;
             sorted.along.extend(is_open.then(|| slots.of(ends[0])));
             sorted.along.extend(order.vertices.iter().map(|&v| slots.of(v)));

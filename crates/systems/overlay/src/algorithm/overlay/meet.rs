@@ -12,12 +12,10 @@
 //!
 //! A session that never returns zero finds only crossings, and segments with a common vertex have only that in common.
 
-use std::ops::Range;
-
 use predicament_grid::parallel;
 use predicament_predicates::{Plane, Predicates, Sign, Vertex};
 
-use super::groups::grouped;
+use super::groups::Counts;
 use super::view::View;
 
 /// The number of pairs in a batch.
@@ -26,14 +24,43 @@ const BATCH: usize = 512;
 /// The maximum number of crossings: each is a vertex to construct, of about 200 bytes in all.
 pub(super) const MOST_CROSSINGS: usize = 1 << 24;
 
+/// The number of crossings per segment from which on a counting sort is used.
+const MANY: usize = 1;
+
 /// Two segments by index, the lower first.
 pub(super) type Pair = [u32; 2];
+
+/// Two segments that cross between their ends.
+#[derive(Clone, Copy)]
+pub(super) struct Crossing {
+    first: u32,
+    /// Twice the second segment, and one if it ends on the left of the first.
+    second: u32,
+}
+
+impl Crossing {
+    /// The crossing of a pair; `side` is the side of the second segment's second end, seen along the first segment.
+    pub fn new([first, second]: Pair, side: Sign) -> Crossing {
+        Crossing { first, second: 2 * second + u32::from(side == Sign::Positive) }
+    }
+
+    #[inline]
+    pub fn pair(self) -> Pair {
+        [self.first, self.second / 2]
+    }
+
+    /// True if the second segment goes from the right of the first to its left.
+    #[inline]
+    pub fn is_leftward(self) -> bool {
+        self.second % 2 == 1
+    }
+}
 
 /// All intersections of segments, pair by pair.
 #[derive(Default)]
 pub(super) struct Meetings {
     /// Pairs that cross between their ends.
-    pub crossings: Vec<Pair>,
+    pub crossings: Vec<Crossing>,
     /// Pairs of a segment and another segment's vertex that is on it between its ends.
     pub touches: Vec<(u32, Vertex)>,
     /// Pairs of vertices at one position.
@@ -59,7 +86,7 @@ impl Meetings {
 
     /// Sorts the lists and removes duplicates. All lists are about this many segments.
     pub fn settle(&mut self, segments: usize) {
-        self.crossings = sorted_pairs(std::mem::take(&mut self.crossings), segments);
+        self.crossings = sorted_crossings(std::mem::take(&mut self.crossings), segments);
         self.too_many |= self.crossings.len() > MOST_CROSSINGS;
         self.touches.sort_unstable();
         self.touches.dedup();
@@ -90,10 +117,10 @@ impl<'a> Asker<'a> {
         Asker {
             ends,
             found: Meetings::default(),
-            pending: Vec::with_capacity(BATCH),
-            queries: Vec::with_capacity(2 * BATCH),
-            signs: vec![Sign::Zero; 2 * BATCH],
-            open: Vec::with_capacity(BATCH),
+            pending: Vec::with_capacity(BATCH.min(ends.len())),
+            queries: Vec::new(),
+            signs: Vec::new(),
+            open: Vec::new(),
             most: MOST_CROSSINGS,
         }
     }
@@ -115,13 +142,18 @@ impl<'a> Asker<'a> {
 
     /// Tests the remaining pairs.
     pub fn flush(&mut self, session: &dyn Predicates) {
+        if self.pending.is_empty() {
+            return;
+        }
         let ends = self.ends;
         self.queries.clear();
+        self.queries.reserve(2 * self.pending.len());
         for pair in &self.pending {
             let [[a, b], [c, d]] = pair.map(|at| ends[at as usize]);
             self.queries.extend([[a, b, c], [a, b, d]]);
         }
-        session.orient2d_batch(Plane::Xy, &self.queries, &mut self.signs[..self.queries.len()]);
+        self.signs.resize(self.queries.len(), Sign::Zero);
+        session.orient2d_batch(Plane::Xy, &self.queries, &mut self.signs);
         self.open.clear();
         for (&pair, &[c, d]) in self.pending.iter().zip(self.signs.as_chunks::<2>().0) {
             if c != d || c == Sign::Zero {
@@ -129,6 +161,9 @@ impl<'a> Asker<'a> {
             }
         }
         self.pending.clear();
+        if self.open.is_empty() {
+            return;
+        }
         self.queries.clear();
         for (pair, _) in &self.open {
             let [[a, b], [c, d]] = pair.map(|at| ends[at as usize]);
@@ -142,7 +177,7 @@ impl<'a> Asker<'a> {
             }
             let zeros = own.iter().chain(&others).filter(|sign| **sign == Sign::Zero).count();
             if zeros == 0 {
-                self.found.crossings.push(pair);
+                self.found.crossings.push(Crossing::new(pair, others[1]));
                 continue;
             }
             if own == [Sign::Zero; 2] || others == [Sign::Zero; 2] {
@@ -164,8 +199,8 @@ impl<'a> Asker<'a> {
         }
         // Some crossings are found in several cells. Removing duplicates costs as much as finding them, so it is rare.
         if self.found.crossings.len() > self.most {
-            self.found.crossings.sort_unstable();
-            self.found.crossings.dedup();
+            self.found.crossings.sort_unstable_by_key(|crossing| crossing.pair());
+            self.found.crossings.dedup_by_key(|crossing| crossing.pair());
             self.found.too_many |= self.found.crossings.len() > MOST_CROSSINGS;
             self.most = self.found.crossings.len() + MOST_CROSSINGS / 2;
         }
@@ -219,30 +254,26 @@ fn in_line(found: &mut Meetings, view: View<'_>, pair: Pair, segments: [[Vertex;
     }
 }
 
-/// Sorts pairs and removes duplicates.
-fn sorted_pairs(mut pairs: Vec<Pair>, segments: usize) -> Vec<Pair> {
-    if pairs.len() < segments {
-        parallel::sort_by_key(&mut pairs, |&[i, j]| u64::from(i) << 32 | u64::from(j));
-        pairs.dedup();
-        return pairs;
+/// Sorts crossings and removes duplicates.
+fn sorted_crossings(mut crossings: Vec<Crossing>, segments: usize) -> Vec<Crossing> {
+    if crossings.len() < MANY * segments {
+        parallel::sort_by_key(&mut crossings, |crossing| u64::from(crossing.first) << 32 | u64::from(crossing.second));
+    } else {
+        // Counting sort by the second segments, then by the first.
+        crossings = grouped(&crossings, segments, |crossing| crossing.second / 2);
+        crossings = grouped(&crossings, segments, |crossing| crossing.first);
     }
-    let (first, second) = grouped(segments, 0, pairs.iter().map(|&[i, j]| (i, j)));
-    let count = pairs.len();
-    drop(pairs);
-    let group = |range: Range<usize>| {
-        let place = |segment: usize| first[segment] as usize;
-        let mut sorted = Vec::with_capacity(place(range.end) - place(range.start));
-        let mut others = Vec::new();
-        for segment in range {
-            others.clear();
-            others.extend_from_slice(&second[place(segment)..place(segment + 1)]);
-            others.sort_unstable();
-            others.dedup();
-            sorted.extend(others.iter().map(|&other| [super::number(segment), other]));
-        }
-        sorted
-    };
-    parallel::joined(parallel::uneven(segments, count, &group))
+    crossings.dedup_by_key(|crossing| crossing.pair());
+    crossings
+}
+
+/// The crossings in the order of a key below a bound, and for one key in their own order.
+fn grouped(crossings: &[Crossing], bound: usize, key: impl Fn(&Crossing) -> u32) -> Vec<Crossing> {
+    let mut counts = Counts::new(bound);
+    crossings.iter().for_each(|crossing| counts.add(key(crossing)));
+    let mut groups = counts.groups(Crossing { first: 0, second: 0 });
+    crossings.iter().for_each(|crossing| groups.add(key(crossing), *crossing));
+    groups.finish().1
 }
 
 fn sorted([a, b]: [Vertex; 2]) -> [Vertex; 2] {

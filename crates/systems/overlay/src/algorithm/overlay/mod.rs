@@ -256,7 +256,7 @@ fn arranged(
         }
         Method::Sweep => sweep::meetings(session, &supports.ends)?,
     };
-    let chains = Chains::new(session, &supports, meetings, runs)?;
+    let chains = Chains::new(session, &supports, &reach, meetings, runs)?;
     broken = broken.or(chains.broken);
     let pieces = Pieces::new(&*session, &supports, &chains);
     let subdivision = pieces.subdivision();

@@ -98,7 +98,8 @@ impl<'a> Pieces<'a> {
         Subdivision::new(self.chains.nodes.len(), ends, &|node, first, halves| self.sort_around(node, first, halves))
     }
 
-    /// Sorts the half-edges around nodes: around crossings of two segments by one turn each, in batches.
+    /// Sorts the half-edges around nodes: around crossings of two segments by one turn each, which is known, or asked in
+    /// batches.
     fn sort_around(&self, node: usize, first: &[u32], halves: &mut [u32]) {
         let mut signs = [Sign::Zero; BATCH];
         let (mut queries, mut crossings) = (Vec::new(), Vec::new());
@@ -110,52 +111,53 @@ impl<'a> Pieces<'a> {
                 if own.len() < 3 {
                     continue;
                 }
-                if let Some((sorted, query)) = self.crossing(node + start + at, own) {
+                let known = self.chains.crossings.get((node + start + at).wrapping_sub(self.chains.inputs));
+                if let (Some(crossing), &mut [a, b, c, d]) = (known, &mut *own) {
+                    let [is_ahead, other] = crossing.pair().map(|segment| self.is_ahead[segment as usize]);
+                    let halves = ahead_first([a, b, c, d], [is_ahead, other]);
+                    own.copy_from_slice(&around(halves, crossing.is_leftward() == (is_ahead == other)));
+                } else if let Some((sorted, query)) = self.crossing(own) {
                     queries.push(query);
                     crossings.push((ends[0] as usize, sorted));
                 } else {
                     sort_by_sign(own, |a, b| self.order_around(a, b));
                 }
             }
+            if queries.is_empty() {
+                continue;
+            }
             self.view.session.orient2d_batch(Plane::Xy, &queries, &mut signs[..queries.len()]);
             for (&(at, sorted), sign) in crossings.iter().zip(signs) {
                 let own = &mut halves[at..at + 4];
-                let [a, b, back, also] = sorted;
                 match sign {
-                    Sign::Positive => own.copy_from_slice(&sorted),
-                    Sign::Negative => own.copy_from_slice(&[b, a, also, back]),
                     Sign::Zero => sort_by_sign(own, |a, b| self.order_around(a, b)),
+                    sign => own.copy_from_slice(&around(sorted, sign == Sign::Positive)),
                 }
             }
         }
     }
 
     /// The half-edges around a crossing of two segments: those ahead, then those back; of the first segment, then of
-    /// the other. And the turn from the first to the second, by which these are or are not in counterclockwise order.
-    /// `None` if they are something else.
-    fn crossing(&self, node: usize, halves: &[u32]) -> Option<([u32; 4], [Vertex; 3])> {
+    /// the other. And the turn from the first to the second. `None` if they are something else.
+    fn crossing(&self, halves: &[u32]) -> Option<([u32; 4], [Vertex; 3])> {
         let &[a, b, c, d] = halves else { return None };
-        let [first, second] = match self.chains.crossings.get(node.wrapping_sub(self.chains.inputs)) {
-            Some(&pair) => pair,
-            None => {
-                let segment = |half: u32| self.chains.pieces[half as usize / 2].segment;
-                let [first, second] = [segment(a), segment(c)];
-                // On each segment, back and forth.
-                let is_through = |[back, forth]: [u32; 2]| back % 2 == 1 && forth.is_multiple_of(2);
-                let are_through = is_through([a, b]) && is_through([c, d]);
-                let are_two = first != second && segment(b) == first && segment(d) == second;
-                if !are_through || !are_two || first == NONE || second == NONE {
-                    return None;
-                }
-                [first, second]
-            }
-        };
-        let [from, to] = self.supports.ends[first as usize];
+        let segment = |half: u32| self.chains.pieces[half as usize / 2].segment;
+        let [first, second] = [segment(a), segment(c)];
+        // On each segment, back and forth.
+        let is_through = |[back, forth]: [u32; 2]| back % 2 == 1 && forth.is_multiple_of(2);
+        let are_through = is_through([a, b]) && is_through([c, d]);
+        let are_two = first != second && segment(b) == first && segment(d) == second;
+        if !are_through || !are_two || first == NONE || second == NONE {
+            return None;
+        }
+        let [mut from, mut to] = self.supports.ends[first as usize];
         let ends = self.supports.ends[second as usize];
-        let (back, ahead, from, to) = if self.is_ahead[first as usize] { (a, b, from, to) } else { (b, a, to, from) };
-        let (also_back, also_ahead, other) =
-            if self.is_ahead[second as usize] { (c, d, ends[1]) } else { (d, c, ends[0]) };
-        (other != from && other != to).then_some(([ahead, also_ahead, back, also_back], [from, to, other]))
+        let are_ahead = [first, second].map(|segment| self.is_ahead[segment as usize]);
+        if !are_ahead[0] {
+            (from, to) = (to, from);
+        }
+        let other = ends[usize::from(are_ahead[1])];
+        (other != from && other != to).then_some((ahead_first([a, b, c, d], are_ahead), [from, to, other]))
     }
 
     fn vertex(&self, node: u32) -> Vertex {
@@ -259,6 +261,20 @@ impl<'a> Pieces<'a> {
             self.view.turn(b.ends[0], b.ends[1], left) == Sign::Negative
         }
     }
+}
+
+/// Half-edges around a crossing, given those back and forth on each segment: those ahead, then those back.
+#[inline]
+fn ahead_first([a, b, c, d]: [u32; 4], are_ahead: [bool; 2]) -> [u32; 4] {
+    let [back, ahead] = if are_ahead[0] { [a, b] } else { [b, a] };
+    let [also_back, also_ahead] = if are_ahead[1] { [c, d] } else { [d, c] };
+    [ahead, also_ahead, back, also_back]
+}
+
+/// The counterclockwise order of these half-edges, from straight down; `is_left` if the second is left of the first.
+#[inline]
+fn around([a, b, back, also]: [u32; 4], is_left: bool) -> [u32; 4] {
+    if is_left { [a, b, back, also] } else { [b, a, also, back] }
 }
 
 /// Upward rays to find the piece above a node.

@@ -38,17 +38,11 @@ impl Reach {
     /// Finds the parts that edges pass.
     pub fn new(session: &dyn Predicates, supports: &Supports) -> Reach {
         let parts = parallel::ranges(supports.ends.len(), &|range| Reach::some(session, supports, range));
-        let mut reach = Reach { raw: Vec::new(), boxes: Vec::new(), segments: Vec::new() };
-        for mut part in parts {
-            if reach.raw.is_empty() {
-                reach = part;
-            } else {
-                reach.raw.append(&mut part.raw);
-                reach.boxes.append(&mut part.boxes);
-                reach.segments.append(&mut part.segments);
-            }
-        }
-        reach
+        parts.joined(|reach, mut part| {
+            reach.raw.append(&mut part.raw);
+            reach.boxes.append(&mut part.boxes);
+            reach.segments.append(&mut part.segments);
+        })
     }
 
     /// Finds the parts of some segments.

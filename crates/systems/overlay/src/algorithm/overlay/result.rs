@@ -30,54 +30,47 @@ const PASSES: u32 = 8;
 /// every piece. With an even-odd rule they are 0 and 1, because edges that the operand passes an even number of times
 /// are absent.
 pub(super) fn windings(subdivision: &Subdivision, pieces: &[Piece], rules: [Rule; 2]) -> (Vec<[i32; 2]>, bool) {
-    let agree = |windings: &[[i32; 2]]| {
-        let agree = |range: Range<usize>| {
-            range.map(super::number).all(|piece| {
-                let [left, right] = sides(subdivision, 2 * piece);
-                across(windings[left], pieces, 2 * piece, rules) == windings[right]
-            })
-        };
-        parallel::ranges(pieces.len(), &agree).into_iter().all(|agree| agree)
-    };
-    if let Some(windings) = in_order(subdivision, pieces, rules).filter(|windings| agree(windings)) {
+    if let Some(windings) = in_order(subdivision, pieces, rules) {
         return (windings, true);
     }
     let (windings, are_known) = one_by_one(subdivision, pieces, rules);
-    let agree = are_known && agree(&windings);
+    let agree = |range: Range<usize>| {
+        range.map(super::number).all(|piece| {
+            let [left, right] = sides(subdivision, 2 * piece);
+            across(windings[left], pieces, 2 * piece, rules) == windings[right]
+        })
+    };
+    let agree = are_known && parallel::ranges(pieces.len(), &agree).into_iter().all(|agree| agree);
     (windings, agree)
 }
 
+/// The winding numbers of a face that is not reached yet.
+const UNKNOWN: [i32; 2] = [i32::MIN; 2];
+
 /// Winding numbers by a few passes over the pieces, in the order of memory: most pieces are next to pieces of which one
-/// side is known. `None` if that does not reach all faces.
+/// side is known. `None` if that does not reach all faces, or if the numbers do not agree around every piece.
 fn in_order(subdivision: &Subdivision, pieces: &[Piece], rules: [Rule; 2]) -> Option<Vec<[i32; 2]>> {
-    let mut windings = vec![[0; 2]; subdivision.faces()];
-    let mut is_known = vec![false; windings.len()];
-    is_known[0] = true;
-    let mut unknown = windings.len() - 1;
-    let count = super::number(pieces.len());
-    for pass in 0..PASSES {
-        let before = unknown;
+    let mut windings = vec![UNKNOWN; subdivision.faces()];
+    windings[0] = [0; 2];
+    let mut agree = true;
+    // Returns true if one of the sides is known.
+    let mut pass = |piece: u32| {
+        let [left, right] = sides(subdivision, 2 * piece);
+        match [windings[left], windings[right]] {
+            [UNKNOWN, UNKNOWN] => return false,
+            [UNKNOWN, own] => windings[left] = across(own, pieces, 2 * piece + 1, rules),
+            [own, UNKNOWN] => windings[right] = across(own, pieces, 2 * piece, rules),
+            [own, other] => agree &= across(own, pieces, 2 * piece, rules) == other,
+        }
+        true
+    };
+    let mut open: Vec<u32> = (0..super::number(pieces.len())).filter(|&piece| !pass(piece)).collect();
+    for _ in 1..PASSES {
         // Forth and back.
-        for piece in 0..count {
-            let half = 2 * if pass % 2 == 0 { piece } else { count - 1 - piece };
-            let [left, right] = sides(subdivision, half);
-            let (own, other, half) = match (is_known[left], is_known[right]) {
-                (true, false) => (left, right, half),
-                (false, true) => (right, left, half + 1),
-                _ => continue,
-            };
-            is_known[other] = true;
-            windings[other] = across(windings[own], pieces, half, rules);
-            unknown -= 1;
-        }
-        if unknown == 0 {
-            return Some(windings);
-        }
-        if unknown == before {
-            break;
-        }
+        open.reverse();
+        open.retain(|&piece| !pass(piece));
     }
-    None
+    (agree && open.is_empty()).then_some(windings)
 }
 
 /// Winding numbers from face to face; and true if all faces are reached.
@@ -150,6 +143,17 @@ struct Bound {
     edges: Vec<Edge>,
 }
 
+/// The place of a half-edge between inside and outside.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Mark {
+    /// Both its sides are inside, or its left side is outside.
+    Inner,
+    /// The inside is on its left, and the outside on its right.
+    Bound,
+    /// As [`Mark::Bound`], and a walk has passed it.
+    Walked,
+}
+
 /// Closed walks along the half-edges between the inside and the outside.
 #[derive(Default)]
 struct Walks {
@@ -167,17 +171,18 @@ impl Extraction<'_> {
         let holds = |winding: &[i32; 2]| operation.holds([0, 1].map(|at| self.rules[at].is_inside(winding[at])));
         let is_inside: Vec<bool> = self.windings.iter().map(holds).collect();
         let count = subdivision.edges().len();
-        let is_bound = |edges: Range<usize>| {
-            let mut is_bound = Vec::with_capacity(2 * edges.len());
+        let marks = |edges: Range<usize>| {
+            let mut marks = Vec::with_capacity(2 * edges.len());
+            let mark = |is_bound: bool| if is_bound { Mark::Bound } else { Mark::Inner };
             for edge in edges {
                 let [left, right] = sides(subdivision, super::number(2 * edge));
                 let [left, right] = [is_inside[left], is_inside[right]];
-                is_bound.extend_from_slice(&[left & !right, !left & right]);
+                marks.extend_from_slice(&[mark(left & !right), mark(!left & right)]);
             }
-            is_bound
+            marks
         };
-        let is_bound = parallel::joined(parallel::ranges(count, &is_bound));
-        let (walks, component) = parallel::two(count, || self.walks(&is_bound), || self.components(&is_inside));
+        let marks = parallel::joined(parallel::ranges(count, &marks));
+        let (walks, component) = parallel::two(count, || self.walks(marks), || self.components(&is_inside));
         // The loops of some walks, with the components on their sides.
         let loops = |range: Range<usize>| {
             let (mut loops, mut sides) = (Vec::new(), Sides::default());
@@ -191,15 +196,11 @@ impl Extraction<'_> {
             }
             (loops, sides)
         };
-        let (mut bounds, mut sides) = (Vec::new(), Sides::default());
-        for (loops, own) in parallel::uneven(walks.starts.len() - 1, walks.halves.len(), &loops) {
-            if bounds.is_empty() {
-                (bounds, sides) = (loops, own);
-            } else {
-                bounds.extend(loops);
-                sides.append(&own);
-            }
-        }
+        let all = parallel::uneven(walks.starts.len() - 1, walks.halves.len(), &loops);
+        let (mut bounds, sides) = all.joined(|(bounds, sides), (mut loops, own)| {
+            bounds.append(&mut loops);
+            sides.append(&own);
+        });
         drop(walks);
         sides.reach(component[0], component.len(), |at, from| bounds[at].is_hole = bounds[at].region == from);
         regions_of(bounds)
@@ -223,23 +224,22 @@ impl Extraction<'_> {
     }
 
     /// Finds the closed walks along the bounds, each with one part of the inside on its left.
-    fn walks(&self, is_bound: &[bool]) -> Walks {
+    fn walks(&self, mut marks: Vec<Mark>) -> Walks {
         let subdivision = &self.arrangement.subdivision;
         let mut walks = Walks { halves: Vec::new(), starts: vec![0], at: vec![0; subdivision.nodes()] };
-        let mut is_done = vec![false; is_bound.len()];
-        for (start, _) in is_bound.iter().enumerate().filter(|(_, is)| **is) {
-            if is_done[start] {
+        for start in 0..marks.len() {
+            if marks[start] != Mark::Bound {
                 continue;
             }
             let mut at = super::number(start);
-            while !std::mem::replace(&mut is_done[at as usize], true) {
+            while std::mem::replace(&mut marks[at as usize], Mark::Walked) == Mark::Bound {
                 walks.halves.push(at);
                 let bounds = &mut walks.at[self.arrangement.origin(at) as usize];
                 *bounds = bounds.saturating_add(1);
                 // Clockwise through the inside, to the next bound. This ends at the latest at the incoming half-edge:
                 // its other side is outside, so the half-edge before is a bound.
                 at = subdivision.next(at);
-                while !is_bound[at as usize] {
+                while marks[at as usize] == Mark::Inner {
                     at = subdivision.next(at ^ 1);
                 }
             }
@@ -286,33 +286,35 @@ impl Extraction<'_> {
     fn bound(&self, halves: &[u32], region: u32, bounds_at: &[u8]) -> Bound {
         let arrangement = self.arrangement;
         let mut edges: Vec<Edge> = Vec::with_capacity(halves.len());
-        let mut last = NONE;
-        let same = |a: u32, b: u32| {
-            let line = |half: u32| (arrangement.pieces[half as usize / 2].segment, half % 2);
-            let is_same = a != NONE && line(a) == line(b) && line(a).0 != NONE;
-            is_same && bounds_at[arrangement.origin(b) as usize] <= 1
-        };
+        // The line and the direction of the half-edge before; `NONE` for a run, whose edges stay apart.
+        let mut last = (NONE, 0);
         for &half in halves {
-            if let Some(run) = arrangement.run(half) {
-                if half.is_multiple_of(2) {
+            let piece = &arrangement.pieces[half as usize / 2];
+            let at = half as usize % 2;
+            let line = (piece.segment, at);
+            if let Some(run) = (piece.segment == NONE).then(|| arrangement.run(half)).flatten() {
+                if at == 0 {
                     edges.extend(&run.edges);
                 } else {
                     edges.extend(run.edges.iter().rev().map(|edge| edge.reversed()));
                 }
             } else {
-                let piece = &arrangement.pieces[half as usize / 2];
-                let at = half as usize % 2;
+                let [from, to] = [piece.ends[at], piece.ends[1 - at]];
                 let vertex = |node: u32| arrangement.vertices[node as usize];
-                let (from, to) = (vertex(piece.ends[at]), vertex(piece.ends[1 - at]));
                 match edges.last_mut() {
-                    Some(before) if same(last, half) => before.to = to,
-                    _ => edges.push(Edge { from, to, support: arrangement.segments[piece.segment as usize] }),
+                    Some(before) if last == line && bounds_at[from as usize] <= 1 => before.to = vertex(to),
+                    _ => {
+                        let support = arrangement.segments[piece.segment as usize];
+                        edges.push(Edge { from: vertex(from), to: vertex(to), support });
+                    }
                 }
             }
-            last = half;
+            last = line;
         }
         // The first half-edge may be in the middle of an edge.
-        if edges.len() > 1 && same(last, halves[0]) {
+        let piece = &arrangement.pieces[halves[0] as usize / 2];
+        let goes_on = last == (piece.segment, halves[0] as usize % 2) && last.0 != NONE;
+        if edges.len() > 1 && goes_on && bounds_at[arrangement.origin(halves[0]) as usize] <= 1 {
             edges[0].from = edges[edges.len() - 1].from;
             edges.pop();
         }

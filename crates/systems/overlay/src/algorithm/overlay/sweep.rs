@@ -12,7 +12,7 @@
 use predicament_predicates::{Construction, Predicates, Refused, Sign, Vertex};
 
 use super::heap::Heap;
-use super::meet::{MOST_CROSSINGS, Meetings};
+use super::meet::{Crossing, MOST_CROSSINGS, Meetings};
 use super::view::View;
 use super::{Contradiction, NONE, number};
 use predicament_grid::sort::sort_by_sign;
@@ -192,7 +192,13 @@ impl Sweep<'_> {
         members.sort_unstable();
         match *members {
             [_] | [] => {}
-            [i, j] => self.found.crossings.push([i, j]),
+            [i, j] => {
+                let [[a, b], [_, d]] = [i, j].map(|at| {
+                    let [a, b] = self.segments[at as usize];
+                    if a < b { [a, b] } else { [b, a] }
+                });
+                self.found.crossings.push(Crossing::new([i, j], self.view().turn(a, b, d)));
+            }
             _ => self.found.bundles.push(members),
         }
     }
