@@ -305,8 +305,8 @@ fn leaving(ends: &[[u32; 2]], nodes: Range<usize>) -> (Vec<u32>, Vec<u32>) {
     (first, around)
 }
 
-/// Finds the next half-edge of each one that arrives at some nodes: the next clockwise around its node, which is the one
-/// before in the order around it. `set` gets both.
+/// Finds the next half-edge of each one that arrives at some nodes: the next clockwise around its node, which is before
+/// it in the order around the node. `set` gets both.
 fn link(first: &[u32], around: &[u32], mut set: impl FnMut(u32, u32)) {
     for range in first.windows(2) {
         let own = &around[range[0] as usize..range[1] as usize];

@@ -291,8 +291,8 @@ impl Scene {
         Ok(vertices)
     }
 
-    /// Adds the vertices of the first definitions: those that exist already, then some of the others, or those before an
-    /// error.
+    /// Adds the vertices of the first definitions: those that exist already, then some of the others, or those before
+    /// an error.
     fn add_some(&mut self, definitions: &[Construction], added: &mut Vec<Vertex>) -> Result<(), ConstructionError> {
         let mut left = definitions.iter();
         let first = loop {

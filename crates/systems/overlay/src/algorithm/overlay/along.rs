@@ -39,7 +39,7 @@ const LAST: f64 = 4_294_967_295.0;
 const UNIT: f64 = 4_503_599_627_370_496.0;
 
 impl Inner {
-    /// A vertex, with its place from 0 at the segment's first end to 1 at the other; any other place is an arbitrary one.
+    /// A vertex, with its place from 0 at the segment's first end to 1 at the other; other places are arbitrary.
     #[inline]
     fn new(place: f64, v: Vertex) -> Inner {
         Inner((place * LAST + UNIT).to_bits() << 32 | v.index() as u64)

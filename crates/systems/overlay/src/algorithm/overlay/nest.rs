@@ -98,8 +98,8 @@ impl<'a> Pieces<'a> {
         Subdivision::new(self.chains.nodes.len(), ends, &|node, first, halves| self.sort_around(node, first, halves))
     }
 
-    /// Sorts the half-edges around nodes: around crossings of two segments by one turn each, which is known, or asked in
-    /// batches.
+    /// Sorts the half-edges around nodes: around crossings of two segments by one turn each, which is known, or asked
+    /// in batches.
     fn sort_around(&self, node: usize, first: &[u32], halves: &mut [u32]) {
         let mut signs = [Sign::Zero; BATCH];
         let (mut queries, mut crossings) = (Vec::new(), Vec::new());
