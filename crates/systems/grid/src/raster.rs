@@ -12,7 +12,8 @@
 //! common point are in one cell together.
 //!
 //! # How many cells
-//! One for a few segments, otherwise about two for each segment. If segments are long, there are fewer: at most about four entries per segment.
+//! One for a few segments, otherwise about two for each segment. If segments are long, there are fewer: at most about
+//! four entries per segment.
 
 use std::ops::Range;
 
