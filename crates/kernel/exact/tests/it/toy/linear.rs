@@ -1,7 +1,7 @@
 //! The filter of constructed vertices that is linear in their slacks, in tiny formats: all turns of a few numbers.
 //!
-//! A certain sign has to be that of all points within the slacks. A turn is linear in each coordinate, so the corners of
-//! the slacks decide. Numbers are large enough that values, bounds or the last product, by 1/u, overflow.
+//! A certain sign has to be that of all points within the slacks. A turn is linear in each coordinate, so the corners
+//! of the slacks decide. Numbers are large enough that values, bounds or the last product, by 1/u, overflow.
 
 use predicament_exact::constructed::filter::Approximate;
 use predicament_exact::constructed::tight::{self, TURN};
