@@ -135,8 +135,8 @@ type Monomial<'p> = (&'p [u8], i128);
 /// A visit of a product, by its powers and the monomials that are multiples of it; true if it is the last.
 type Visit<'v, 'p> = dyn FnMut(&[u8], &[Monomial<'p>]) -> Result<bool, String> + 'v;
 
-/// Visits the products of infinitesimals of some monomials, with the multiples of each among them, until a visit returns
-/// true; returns true if one did.
+/// Visits the products of infinitesimals of some monomials, with the multiples of each among them, until a visit
+/// returns true; returns true if one did.
 ///
 /// The largest product comes first: the one with the lowest power of the smallest infinitesimal, which is the last of
 /// the `open` variables. The powers of those after them are given.
