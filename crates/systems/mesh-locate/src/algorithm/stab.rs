@@ -170,10 +170,15 @@ fn moved<P: Predicates + ?Sized>(session: &P, [i, j]: [Axis; 2], [u, v]: [Vertex
     }
 }
 
-/// True if a point of the triangle's plane, in the triangle's box, is in the triangle, borders included.
-fn is_within<P: Predicates + ?Sized>(session: &P, [a, b, c]: [Vertex; 3], q: Vertex) -> bool {
-    [Plane::Xy, Plane::Yz, Plane::Zx].into_iter().all(|plane| {
-        let signs = [[a, b], [b, c], [c, a]].map(|[u, v]| session.orient2d(plane, u, v, q));
-        !(signs.contains(&Sign::Positive) && signs.contains(&Sign::Negative))
-    })
+/// True if a point of the triangle's plane is in the triangle, borders included.
+fn is_within<P: Predicates + ?Sized>(session: &P, corners: [Vertex; 3], q: Vertex) -> bool {
+    let [a, b, c] = corners;
+    let is_on_one_side = |signs: [Sign; 3]| signs[0] != Sign::Zero && signs == [signs[0]; 3];
+    let is_beside = |axis: Axis| is_on_one_side(corners.map(|v| session.compare(axis, v, q)));
+    // (A triangle at one place has no turns.)
+    ![Axis::X, Axis::Y, Axis::Z].into_iter().any(is_beside)
+        && [Plane::Xy, Plane::Yz, Plane::Zx].into_iter().all(|plane| {
+            let signs = [[a, b], [b, c], [c, a]].map(|[u, v]| session.orient2d(plane, u, v, q));
+            !(signs.contains(&Sign::Positive) && signs.contains(&Sign::Negative))
+        })
 }

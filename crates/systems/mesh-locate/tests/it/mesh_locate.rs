@@ -323,6 +323,18 @@ fn a_triangle_without_area_has_the_points_between_its_corners_only() {
 }
 
 #[test]
+fn a_mesh_at_one_place_has_no_moved_points() {
+    let triangles = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]].map(|corners| corners.map(Vertex::input));
+    let points = [[1.0; 3], [1.0; 3], [1.0; 3], [1.0; 3], [1.0; 3], [1.0, 1.0, 0.0], [2.0, 1.0, 1.0]];
+    let queries = [4, 5, 6].map(Vertex::input);
+    let scene = Scene::from_points3(&points).unwrap().with_second_mesh(queries);
+    let index = MeshIndex::new(MaterialMesh::of_closed(4, triangles.to_vec()).unwrap(), &scene);
+    let at = |session: &dyn Predicates| all_ways(&index, session, &queries);
+    assert_eq!(at(&Exact.prepare(&scene, Off).unwrap()), [Location::On(0), Location::In(0), Location::In(0)]);
+    assert_eq!(at(&PerMesh.prepare(&scene, Off).unwrap()), [Location::In(0); 3]);
+}
+
+#[test]
 fn a_surface_that_crosses_itself_is_told_as_a_contradiction_by_sums() {
     // Two overlapping boxes, both region 1.
     let mut points = Vec::new();
