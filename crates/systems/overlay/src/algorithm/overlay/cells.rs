@@ -98,7 +98,7 @@ pub(super) fn meetings(
     });
     if !tangles.is_empty() {
         let mut cells = Cells::new(raster, reach, ends, &budget);
-        cells.asker.found = found;
+        std::mem::swap(&mut cells.asker.found, &mut found);
         for cell in tangles {
             if cells.is_too_much() {
                 break;
@@ -106,7 +106,7 @@ pub(super) fn meetings(
             cells.tangle(session, cell)?;
         }
         cells.asker.flush(&*session);
-        found = cells.asker.found;
+        std::mem::swap(&mut cells.asker.found, &mut found);
     }
     found.settle(ends.len());
     let too_many_pairs = budget.asked.load(Relaxed) > MOST_PAIRS;
