@@ -18,7 +18,7 @@ fn same<R: PartialEq + Send>(call: impl Fn() -> R + Sync) -> R {
     first
 }
 
-/// Octagons in a lattice, so many that threads share them, and in one corner triangles with sides through one point.
+/// Octagons in a lattice, so many that threads share them, and in one corner a loop that passes through one point many times.
 fn octagons(numbers: &mut Numbers, side: u32, from: u32) -> Vec<Vec<[f64; 2]>> {
     const AROUND: [[i32; 2]; 8] = [[9, 0], [7, 6], [0, 9], [-6, 7], [-9, 0], [-7, -6], [0, -9], [6, -7]];
     let mut loops = Vec::new();
@@ -27,10 +27,12 @@ fn octagons(numbers: &mut Numbers, side: u32, from: u32) -> Vec<Vec<[f64; 2]>> {
         let grow = f64::from(1 + numbers.below(3)) / 2.0;
         loops.push(AROUND.map(|by| [0, 1].map(|axis: usize| centre[axis] + grow * f64::from(by[axis]))).to_vec());
     }
-    for at in 0..32 {
-        let [x, y] = [f64::from(at) - 16.0, 17.0].map(|by| 3.0 * by);
-        loops.push(vec![[60.0 - x, 60.0 - y], [60.0 + x, 60.0 + y], [60.0 + x, 61.0 + y]]);
-    }
+    let through = (0..48).flat_map(|at| {
+        let [x, y] = [f64::from(at) - 24.0, if at % 2 == 0 { 25.0 } else { -25.0 }].map(|by| 3.0 * by);
+        let [x, centre] = [if at % 2 == 0 { x } else { -x }, f64::from(60 + from)];
+        [[centre - x, centre - y], [centre + x, centre + y]]
+    });
+    loops.push(through.collect());
     loops
 }
 
