@@ -5,8 +5,8 @@
 //! threads. Then the crossings of each segment are sorted along it by comparing constructed points. Nothing is rounded
 //! unless the session rounds.
 
-use predicament_grid::parallel;
-use predicament_predicates::{Axis, Construction, Plane, Predicates, Refused, Scene, Sign, Vertex};
+use predicament_grid::{Columns, parallel};
+use predicament_predicates::{Axis, Construction, Plane, Predicates, Refused, Sign, Vertex};
 
 /// The crossings of one segment from its first end to its second: groups of
 /// segments that cross it in one point, ascending.
@@ -36,34 +36,15 @@ pub fn crossings<P: Predicates + ?Sized>(session: &mut P, segments: &[[Vertex; 2
 /// The pairs of segments that cross, each by its indices, ascending.
 fn crossing_pairs<P: Predicates + ?Sized>(session: &P, segments: &[[Vertex; 2]]) -> Vec<[u32; 2]> {
     let scene = session.scene();
-    let reach = |segment| reach(scene, segment);
-    // In the order of left ends, a segment that starts right of another's right end does not meet it. A perturbation
-    // can make only touching segments cross, so equal coordinates are kept.
-    let order = by_left_ends(scene, segments);
-    let of = |place: usize| -> Vec<[u32; 2]> {
-        let i = order[place];
-        let right = reach(segments[i])[1];
-        let near = order[place + 1..].iter().take_while(|&&j| reach(segments[j])[0] <= right);
-        let crossing = near.filter(|&&j| cross(session, segments[i], segments[j]));
-        let number = |i: usize| u32::try_from(i).expect("fewer than 2^32 segments");
-        crossing.map(|&j| [number(i.min(j)), number(i.max(j))]).collect()
-    };
-    let mut pairs: Vec<[u32; 2]> = parallel::each(order.len(), &of).concat();
+    let place = |v: Vertex| [Axis::X, Axis::Y].map(|axis| scene.coordinate(axis, v));
+    let ends: Vec<[[f64; 2]; 2]> = segments.iter().map(|segment| segment.map(place)).collect();
+    // Segments whose closed boxes are apart do not meet. A perturbation can make only touching segments cross.
+    let columns = Columns::new(&ends);
+    let is_crossing = |&[i, j]: &[u32; 2]| cross(session, segments[i as usize], segments[j as usize]);
+    let of = |column: usize| -> Vec<[u32; 2]> { columns.overlaps(column).filter(is_crossing).collect() };
+    let mut pairs = parallel::each(columns.count(), &of).concat();
     pairs.sort_unstable();
     pairs
-}
-
-/// The interval of a segment along the x axis.
-fn reach(scene: &Scene, ends: [Vertex; 2]) -> [f64; 2] {
-    let [x, y] = ends.map(|v| scene.coordinate(Axis::X, v));
-    [x.min(y), x.max(y)]
-}
-
-fn by_left_ends(scene: &Scene, segments: &[[Vertex; 2]]) -> Vec<usize> {
-    let mut order: Vec<usize> = (0..segments.len()).collect();
-    let left = |i: usize| reach(scene, segments[i])[0];
-    order.sort_by(|&i, &j| left(i).total_cmp(&left(j)).then(i.cmp(&j)));
-    order
 }
 
 /// True if each segment's ends are strictly on both sides of the other.

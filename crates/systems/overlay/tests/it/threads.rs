@@ -18,7 +18,8 @@ fn same<R: PartialEq + Send>(call: impl Fn() -> R + Sync) -> R {
     first
 }
 
-/// Octagons in a lattice, so many that threads share them, and in one corner a loop that passes through one point many times.
+/// Octagons in a lattice, so many that threads share them, and in one corner a loop that passes through one point many
+/// times.
 fn octagons(numbers: &mut Numbers, side: u32, from: u32) -> Vec<Vec<[f64; 2]>> {
     const AROUND: [[i32; 2]; 8] = [[9, 0], [7, 6], [0, 9], [-6, 7], [-9, 0], [-7, -6], [0, -9], [6, -7]];
     let mut loops = Vec::new();
