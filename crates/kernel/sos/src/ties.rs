@@ -105,7 +105,7 @@ impl Twins {
 /// The axes behind the columns, ascending as in the tables, and the sign of that permutation.
 ///
 /// The plane zx is the mirror image of xz.
-fn columns(question: Question) -> (&'static [Axis], Sign) {
+pub(crate) fn columns(question: Question) -> (&'static [Axis], Sign) {
     match question {
         Question::Compare(Axis::X) => (&[Axis::X], Sign::Positive),
         Question::Compare(Axis::Y) => (&[Axis::Y], Sign::Positive),

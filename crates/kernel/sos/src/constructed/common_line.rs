@@ -135,8 +135,7 @@ mod tests {
     use predicament_exact::Exact;
     use predicament_predicates::{Backend, Off, Predicates, Question};
 
-    use super::super::search_all;
-    use super::super::testing::Random;
+    use super::super::testing::{Random, search_all};
     use super::*;
 
     /// Four segments through one or two points: most crossings on a segment tie.

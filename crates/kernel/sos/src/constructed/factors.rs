@@ -17,14 +17,14 @@
 //!   determinant of their normals, and Y on P and Q. Then Y = X + t·(normal of P × normal of Q) with t = h(Y)/W, and
 //!   μ = −t·g(Z).
 
+mod inputs;
+
 use predicament_predicates::{Construction, Question, Scene, Sign, Vertex};
 use smallvec::SmallVec;
 
-use super::moved::inputs;
+use super::decide_from;
 use super::place::Place;
 use super::row::Rows;
-use super::search::Search;
-use super::{Weight, decide_from};
 
 /// The side of a tie and the degree of the deciding monomial, if the determinant has factors.
 ///
@@ -157,17 +157,19 @@ impl Factors<'_> {
 
     /// The sign of a determinant that may not be a tie.
     fn value(&self, question: Question, args: &[Vertex]) -> Value {
+        let are_inputs = args.iter().all(|v| !v.is_constructed());
         match *args {
+            [a, b, c] if are_inputs => inputs::decide(self.scene, question, [a, b, c]),
+            [a, b, c, d] if are_inputs => inputs::decide(self.scene, question, [a, b, c, d]),
             [a, b, c] => decide_from(self.scene, self.rows, question, [a, b, c], 0),
             [a, b, c, d] => decide_from(self.scene, self.rows, question, [a, b, c, d], 0),
             _ => unreachable!("turns and sides"),
         }
     }
 
-    /// The sign of the weight of a point, which does not move.
+    /// The sign of the weight of a constructed point, which does not move.
     fn weight(&self, v: Vertex) -> Sign {
-        let place = self.place(v);
-        Search::new(self.scene, &inputs(&[place])).unmoved(&Weight(place, self.scene.dimension().count()))
+        self.rows.of(self.scene, v.construction().expect("a constructed vertex")).weight
     }
 }
 

@@ -16,7 +16,7 @@ use super::certain::Matrix;
 use super::moved::{Moved, inputs};
 use super::place::Place;
 use super::search::{Expression, Leading, Search};
-use super::series::{Coefficient, Series};
+use super::series::Number;
 
 /// A rational number in lowest terms.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -141,7 +141,7 @@ struct Polynomial {
 }
 
 impl Expression for Polynomial {
-    fn of<C: Coefficient>(&self, moved: &Moved<'_, C>) -> Series<C> {
+    fn of<S: Number>(&self, moved: &Moved<'_, S>) -> S {
         match self.part {
             Part::Weight => moved.weight(&self.place),
             Part::Along(axis) => moved.row(&self.place).swap_remove(axis.index()),

@@ -95,7 +95,7 @@ mod tests {
     use predicament_exact::Exact;
     use predicament_predicates::{Axis, Backend, Construction, Off, Plane, Predicates};
 
-    use super::super::search_all;
+    use super::super::testing::search_all;
     use super::*;
 
     /// The four sides of a square and its diagonals: ties everywhere.

@@ -52,7 +52,7 @@ use moved::{Moved, inputs};
 use place::{Place, depend};
 use row::Rows;
 use search::{Expression, Search};
-use series::{Coefficient, Series};
+use series::Number;
 use smallvec::{SmallVec, smallvec};
 
 use crate::Scheme;
@@ -108,17 +108,18 @@ fn decide_from<const N: usize>(
     args: [Vertex; N],
     least: usize,
 ) -> Option<(Sign, usize)> {
+    if let Some(value) = factors::decide(scene, rows, question, &args) {
+        return value;
+    }
     match first::decide(scene, rows, question, args, least) {
         Known::Broken(sign, degree) => Some((sign, degree)),
         Known::Identity => None,
-        Known::Open => {
-            factors::decide(scene, rows, question, &args).unwrap_or_else(|| search_all(scene, question, &args))
-        }
+        Known::Open => search_all(scene, rows, question, &args),
     }
 }
 
 /// The result of `decide` by a search through all monomials.
-fn search_all(scene: &Scene, question: Question, args: &[Vertex]) -> Option<(Sign, usize)> {
+fn search_all(scene: &Scene, rows: &Rows, question: Question, args: &[Vertex]) -> Option<(Sign, usize)> {
     let places: SmallVec<[Place; 4]> = args.iter().map(|&v| Place::simple(scene, v)).collect();
     if depend(question, &places) {
         return None;
@@ -126,10 +127,8 @@ fn search_all(scene: &Scene, question: Question, args: &[Vertex]) -> Option<(Sig
     let inputs = inputs(&places);
     let (search, dimension) = (Search::new(scene, &inputs), scene.dimension().count());
     let leading = search.leading_of_tie(&Determinant { dimension, question, places: &places })?;
-    let meets = places.iter().filter(|place| matches!(place, Place::Meet(_)));
-    let sign = meets.fold(leading.sign(), |sign, place| sign * search.unmoved(&Weight(*place, dimension)));
-    assert!(!sign.is_zero(), "lines and planes that meet in no point");
-    Some((sign, leading.degree()))
+    let weights = args.iter().filter_map(|v| v.construction()).map(|index| rows.of(scene, index).weight);
+    Some((weights.fold(leading.sign(), |sign, weight| sign * weight), leading.degree()))
 }
 
 struct Determinant<'q> {
@@ -139,7 +138,7 @@ struct Determinant<'q> {
 }
 
 impl Expression for Determinant<'_> {
-    fn of<C: Coefficient>(&self, moved: &Moved<'_, C>) -> Series<C> {
+    fn of<S: Number>(&self, moved: &Moved<'_, S>) -> S {
         moved.determinant(self.question, self.places)
     }
 
@@ -161,7 +160,7 @@ impl Expression for Determinant<'_> {
 struct Weight(Place, usize);
 
 impl Expression for Weight {
-    fn of<C: Coefficient>(&self, moved: &Moved<'_, C>) -> Series<C> {
+    fn of<S: Number>(&self, moved: &Moved<'_, S>) -> S {
         moved.weight(&self.0)
     }
 

@@ -9,7 +9,7 @@ use predicament_predicates::{Axis, Construction, Dimension, Question, Vertex};
 use smallvec::{SmallVec, smallvec};
 
 use super::place::Place;
-use super::series::{Coefficient, Cut, Series, difference, sum};
+use super::series::{Coefficient, Cut, Number};
 
 /// The input vertices that define places, each once, in ascending order.
 pub(super) fn inputs(places: &[Place]) -> Vec<Vertex> {
@@ -20,22 +20,22 @@ pub(super) fn inputs(places: &[Place]) -> Vec<Vertex> {
 }
 
 /// Input vertices in their moved positions.
-pub(super) struct Moved<'q, C> {
+pub(super) struct Moved<'q, S> {
     pub(super) dimension: Dimension,
     pub(super) cut: &'q Cut,
     /// The input vertices, ascending.
     pub(super) inputs: &'q [Vertex],
     /// The coordinates, vertex after vertex.
-    pub(super) coordinates: &'q [Series<C>],
+    pub(super) coordinates: &'q [S],
 }
 
 /// Coordinates times the weight, then the weight.
-type Row<C> = SmallVec<[Series<C>; 4]>;
+type Row<S> = SmallVec<[S; 4]>;
 
-impl<C: Coefficient> Moved<'_, C> {
+impl<S: Number> Moved<'_, S> {
     /// The determinant behind a question, times the weights of all vertices.
-    pub(super) fn determinant(&self, question: Question, args: &[Place]) -> Series<C> {
-        let rows = |axes: &[Axis]| -> SmallVec<[Row<C>; 4]> {
+    pub(super) fn determinant(&self, question: Question, args: &[Place]) -> S {
+        let rows = |axes: &[Axis]| -> SmallVec<[Row<S>; 4]> {
             let row = |place: &Place| {
                 let all = self.row(place);
                 let weight = all.last().cloned().expect("a row has a weight");
@@ -64,15 +64,15 @@ impl<C: Coefficient> Moved<'_, C> {
     }
 
     /// The weight of a place.
-    pub(super) fn weight(&self, place: &Place) -> Series<C> {
+    pub(super) fn weight(&self, place: &Place) -> S {
         self.row(place).pop().expect("a row has a weight")
     }
 
     /// The homogeneous row.
-    pub(super) fn row(&self, place: &Place) -> Row<C> {
+    pub(super) fn row(&self, place: &Place) -> Row<S> {
         let construction = match place {
             Place::Input(v) => {
-                let one = self.cut.constant(C::one());
+                let one = self.whole(1);
                 return self.point(*v).iter().cloned().chain([one]).collect();
             }
             Place::Meet(construction) => *construction,
@@ -94,15 +94,15 @@ impl<C: Coefficient> Moved<'_, C> {
                 let [op, pn, no] = [self.cross(&o, &p), self.cross(&p, &n), self.cross(&n, &o)];
                 let along = |axis: usize| {
                     let [x, y, z] = [(&d, &op), (&e, &pn), (&f, &no)].map(|(d, n)| self.times(d, &n[axis]));
-                    sum(sum(x, &y), &z)
+                    S::sum(S::sum(x, &y), &z)
                 };
                 smallvec![along(0), along(1), along(2), self.dot(&n, &op)]
             }
             Construction::Ratio { ends: [a, c], share } => {
                 let ([p, q], [rest, _]) = (share.fraction(), share.rest().fraction());
-                let [p, q, rest] = [p, q, rest].map(|x| self.cut.constant(C::whole(x)));
+                let [p, q, rest] = [p, q, rest].map(|x| self.whole(x));
                 let along = self.point(a).iter().zip(self.point(c));
-                along.map(|(a, c)| sum(self.times(a, &p), &self.times(c, &rest))).chain([q]).collect()
+                along.map(|(a, c)| S::sum(self.times(a, &p), &self.times(c, &rest))).chain([q]).collect()
             }
         }
     }
@@ -110,10 +110,10 @@ impl<C: Coefficient> Moved<'_, C> {
     /// The numerator and denominator of a weight of a constructed vertex.
     ///
     /// The weights are in the order of [`Limit::weights`](super::Limit::weights).
-    pub(super) fn fraction(&self, place: &Place, at: usize) -> [Series<C>; 2] {
-        let zero = || self.cut.constant(C::zero());
+    pub(super) fn fraction(&self, place: &Place, at: usize) -> [S; 2] {
+        let zero = || self.whole(0);
         // The fraction of the way from f(p) to f(q) at which f = 0.
-        let way = |at_p: Series<C>, at_q: Series<C>| [difference(zero(), &at_p), difference(at_q, &at_p)];
+        let way = |at_p: S, at_q: S| [S::difference(zero(), &at_p), S::difference(at_q, &at_p)];
         match (*place, at) {
             (Place::Meet(Construction::Ssi([[p, q], [a, b]])), 0)
             | (Place::Meet(Construction::Ssi([[a, b], [p, q]])), 1) => {
@@ -129,7 +129,7 @@ impl<C: Coefficient> Moved<'_, C> {
                 let along = self.minus(q, p);
                 let part = |b, c| self.dot(&self.cross(&along, &self.minus(b, p)), &self.minus(c, p));
                 let parts = [part(b, c), part(c, a), part(a, b)];
-                let whole = parts.iter().fold(zero(), sum);
+                let whole = parts.iter().fold(zero(), S::sum);
                 [parts[at - 1].clone(), whole]
             }
             _ => panic!("no weight {at} of {place:?}"),
@@ -139,15 +139,15 @@ impl<C: Coefficient> Moved<'_, C> {
     /// The row of the point of line p, q at distance zero from a line or plane.
     ///
     /// The point is (p·f(q) − q·f(p)) / (f(q) − f(p)).
-    fn between(&self, [p, q]: [Vertex; 2], [at_p, at_q]: [Series<C>; 2]) -> Row<C> {
+    fn between(&self, [p, q]: [Vertex; 2], [at_p, at_q]: [S; 2]) -> Row<S> {
         let along = self.point(p).iter().zip(self.point(q));
-        let coordinates = along.map(|(p, q)| difference(self.times(p, &at_q), &self.times(q, &at_p)));
-        let mut row: Row<C> = coordinates.collect();
-        row.push(difference(at_q, &at_p));
+        let coordinates = along.map(|(p, q)| S::difference(self.times(p, &at_q), &self.times(q, &at_p)));
+        let mut row: Row<S> = coordinates.collect();
+        row.push(S::difference(at_q, &at_p));
         row
     }
 
-    fn point(&self, v: Vertex) -> &[Series<C>] {
+    fn point(&self, v: Vertex) -> &[S] {
         let place = self.inputs.binary_search(&v).expect("a vertex of the question");
         let stride = match self.dimension {
             Dimension::Two => 2,
@@ -156,65 +156,69 @@ impl<C: Coefficient> Moved<'_, C> {
         &self.coordinates[place * stride..][..stride]
     }
 
-    fn minus(&self, a: Vertex, b: Vertex) -> Row<C> {
-        self.point(a).iter().zip(self.point(b)).map(|(a, b)| difference(a.clone(), b)).collect()
+    fn minus(&self, a: Vertex, b: Vertex) -> Row<S> {
+        self.point(a).iter().zip(self.point(b)).map(|(a, b)| S::difference(a.clone(), b)).collect()
     }
 
-    fn times(&self, a: &Series<C>, b: &Series<C>) -> Series<C> {
-        self.cut.times(a, b)
+    fn whole(&self, n: i64) -> S {
+        S::constant(self.cut, S::Coefficient::whole(n))
+    }
+
+    fn times(&self, a: &S, b: &S) -> S {
+        a.times(b, self.cut)
     }
 
     /// The product x₁y₂ − y₁x₂.
-    fn perp(&self, a: &[Series<C>], b: &[Series<C>]) -> Series<C> {
-        difference(self.times(&a[0], &b[1]), &self.times(&a[1], &b[0]))
+    fn perp(&self, a: &[S], b: &[S]) -> S {
+        S::difference(self.times(&a[0], &b[1]), &self.times(&a[1], &b[0]))
     }
 
-    fn cross(&self, a: &[Series<C>], b: &[Series<C>]) -> [Series<C>; 3] {
-        [[1, 2], [2, 0], [0, 1]].map(|[i, j]| difference(self.times(&a[i], &b[j]), &self.times(&a[j], &b[i])))
+    fn cross(&self, a: &[S], b: &[S]) -> [S; 3] {
+        [[1, 2], [2, 0], [0, 1]].map(|[i, j]| S::difference(self.times(&a[i], &b[j]), &self.times(&a[j], &b[i])))
     }
 
-    fn dot(&self, a: &[Series<C>], b: &[Series<C>]) -> Series<C> {
-        let zero = self.cut.constant(C::zero());
-        a.iter().zip(b).fold(zero, |total, (a, b)| sum(total, &self.times(a, b)))
+    fn dot(&self, a: &[S], b: &[S]) -> S {
+        let zero = self.whole(0);
+        a.iter().zip(b).fold(zero, |total, (a, b)| S::sum(total, &self.times(a, b)))
     }
 
-    fn normal(&self, [a, b, c]: [Vertex; 3]) -> [Series<C>; 3] {
+    fn normal(&self, [a, b, c]: [Vertex; 3]) -> [S; 3] {
         self.cross(&self.minus(b, a), &self.minus(c, a))
     }
 
     /// The determinant of the columns from `column` on.
-    fn laplace(&self, rows: &[Row<C>], column: usize) -> Series<C> {
+    fn laplace(&self, rows: &[Row<S>], column: usize) -> S {
         if let [row] = rows {
             return row[column].clone();
         }
-        let mut total = self.cut.constant(C::zero());
+        let mut total = self.whole(0);
         for at in 0..rows.len() {
             let rest = [&rows[..at], &rows[at + 1..]].concat();
             let product = self.times(&rows[at][column], &self.laplace(&rest, column + 1));
-            total = if at % 2 == 0 { sum(total, &product) } else { difference(total, &product) };
+            total = if at % 2 == 0 { S::sum(total, &product) } else { S::difference(total, &product) };
         }
         total
     }
 
     /// The minor of two rows and two columns.
-    fn minor(&self, rows: &[Row<C>], [r, s]: [usize; 2], [i, j]: [usize; 2]) -> Series<C> {
-        difference(self.times(&rows[r][i], &rows[s][j]), &self.times(&rows[r][j], &rows[s][i]))
+    fn minor(&self, rows: &[Row<S>], [r, s]: [usize; 2], [i, j]: [usize; 2]) -> S {
+        S::difference(self.times(&rows[r][i], &rows[s][j]), &self.times(&rows[r][j], &rows[s][i]))
     }
 
     /// The determinant of three rows, expanded along the last row.
-    fn turn(&self, rows: &[Row<C>]) -> Series<C> {
+    fn turn(&self, rows: &[Row<S>]) -> S {
         let term = |at: usize, columns| self.times(&rows[2][at], &self.minor(rows, [0, 1], columns));
-        sum(difference(term(0, [1, 2]), &term(1, [0, 2])), &term(2, [0, 1]))
+        S::sum(S::difference(term(0, [1, 2]), &term(1, [0, 2])), &term(2, [0, 1]))
     }
 
     /// The determinant of four rows: minors of the first two rows times minors of the other two.
-    fn side(&self, rows: &[Row<C>]) -> Series<C> {
+    fn side(&self, rows: &[Row<S>]) -> S {
         // The complement of a pair is as far from the end; its sign is that of the sum of its places.
         const PAIRS: [[usize; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
-        let zero = self.cut.constant(C::zero());
+        let zero = self.whole(0);
         PAIRS.iter().zip(PAIRS.iter().rev()).fold(zero, |total, (&pair, &other)| {
             let product = self.times(&self.minor(rows, [0, 1], pair), &self.minor(rows, [2, 3], other));
-            if (pair[0] + pair[1]) % 2 == 1 { sum(total, &product) } else { difference(total, &product) }
+            if (pair[0] + pair[1]) % 2 == 1 { S::sum(total, &product) } else { S::difference(total, &product) }
         })
     }
 }

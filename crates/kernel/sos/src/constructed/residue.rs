@@ -10,6 +10,8 @@ pub(super) struct Residue(u64);
 impl Residue {
     const PRIME: u64 = (1 << E) - 1;
 
+    /// The number of bits of the prime: a magnitude of fewer bits is zero if its residue is.
+    pub(super) const BITS: u32 = E;
     pub(super) const ZERO: Residue = Residue(0);
     pub(super) const ONE: Residue = Residue(1);
 

@@ -9,7 +9,7 @@ use super::linear;
 use super::moved::{Moved, inputs};
 use super::place::Place;
 use super::search::{Expression, integers};
-use super::series::Cut;
+use super::series::{Cut, Number, Series};
 use super::{Determinant, Weight};
 use crate::integer::Integer;
 
@@ -64,11 +64,11 @@ impl Rigid<'_> {
         })
     }
 
-    fn series(&self, expression: &impl Expression, largest: usize) -> super::Series<Integer> {
+    fn series(&self, expression: &impl Expression, largest: usize) -> Series<Integer> {
         let cut = Cut::new([largest]);
         let dimension = self.scene.dimension().count();
         let coordinate = |(at, (m, k)): (usize, (i64, u32))| {
-            let mut series = cut.constant(Integer::from(m) << k);
+            let mut series = Series::constant(&cut, Integer::from(m) << k);
             if self.second[self.inputs[at / dimension].index()] {
                 series[at % dimension + 1] += &Integer::ONE;
             }

@@ -42,7 +42,7 @@ use predicament_arithmetic::{
         Take::{Minus, Plus},
     },
 };
-use predicament_predicates::{Construction, Dimension, Scene, Share, Vertex};
+use predicament_predicates::{Construction, Dimension, Scene, Share, Sign, Vertex};
 use smallvec::{SmallVec, smallvec};
 
 use super::place::Place;
@@ -75,6 +75,8 @@ pub(super) struct Row {
     pub(super) place: Place,
     /// The input vertices behind it, each once, ascending.
     pub(super) inputs: SmallVec<[Vertex; 9]>,
+    /// The sign of the weight by definition, which a row with a positive weight has lost.
+    pub(super) weight: Sign,
     /// True if the row is linear in the first of these vertices.
     pub(super) is_linear: bool,
     /// The number of coordinates.
@@ -126,7 +128,8 @@ impl Row {
         let is_linear = inputs.get(1).is_none_or(|second| *second != inputs[0]);
         inputs.dedup();
         let dimension = scene.dimension().count();
-        let mut row = Row { place, inputs, is_linear, dimension, entries: Vec::new(), limbs: Vec::new(), span: [0, 0] };
+        let (weight, span) = (Sign::Positive, [0, 0]);
+        let mut row = Row { place, inputs, weight, is_linear, dimension, entries: Vec::new(), limbs: Vec::new(), span };
         let Place::Meet(construction) = place else { return row };
         let mut held = [0; 2 * 9 * 3];
         let held = &mut Space::new(&mut held);
@@ -177,6 +180,7 @@ impl Row {
     /// Stores a row and its derivatives: coordinates, and weights.
     fn hold<const D: usize, const V: usize>(&mut self, (vectors, weights): ([Vector<D>; V], [Number; V])) {
         assert!(!weights[0].is_zero(), "lines and planes that meet in no point");
+        self.weight = Sign::from(weights[0].cmp0());
         let numbers = || vectors.iter().zip(&weights).flat_map(|(vector, weight)| vector.iter().chain([weight]));
         self.entries.reserve_exact(V * (D + 1));
         self.limbs.reserve_exact(numbers().map(|number| number.limbs.len()).sum());

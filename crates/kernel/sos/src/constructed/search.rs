@@ -14,20 +14,19 @@
 //! and else by [`certain`](super::certain). If the proof fails the search goes on there. So the answer is certain,
 //! whatever the coordinates are.
 
-use std::cell::OnceCell;
-
 use predicament_predicates::{Scene, Sign, Vertex};
+use smallvec::SmallVec;
 
-use super::certain::{Free, Matrix};
+use super::certain::{Matrix, Moving};
 use super::moved::Moved;
 use super::residue::Residue;
-use super::series::{Coefficient, Cut, Series};
+use super::series::{Coefficient, Cut, Number, Series, Short};
 use crate::integer::Integer;
 use crate::whole;
 
 /// A polynomial of the coordinates.
 pub(super) trait Expression {
-    fn of<C: Coefficient>(&self, moved: &Moved<'_, C>) -> Series<C>;
+    fn of<S: Number>(&self, moved: &Moved<'_, S>) -> S;
 
     /// The matrix whose determinant it is, except for the sign.
     fn matrix(&self) -> Matrix;
@@ -65,8 +64,6 @@ pub(super) struct Search<'q> {
     coordinates: Vec<(i64, u32)>,
     /// The coordinates modulo the prime, unmoved and moved.
     residues: Vec<[Residue; 2]>,
-    /// The unmoved coordinates as whole integers.
-    still: OnceCell<Vec<Series<Integer>>>,
 }
 
 /// The pseudo-random value of an infinitesimal, always the same.
@@ -90,19 +87,12 @@ impl<'q> Search<'q> {
     pub(super) fn new(scene: &'q Scene, inputs: &'q [Vertex]) -> Search<'q> {
         let (unit, coordinates) = integers(scene, inputs);
         let residues = residues(&coordinates);
-        Search { scene, inputs, unit, coordinates, residues, still: OnceCell::new() }
+        Search { scene, inputs, unit, coordinates, residues }
     }
 
     /// The exponent of the unit: coordinates are multiples of 2 to this power.
     pub(super) fn unit(&self) -> i32 {
         self.unit
-    }
-
-    /// The sign of the unmoved polynomial.
-    pub(super) fn unmoved(&self, expression: &impl Expression) -> Sign {
-        let cut = Cut::default();
-        let still = self.still.get_or_init(|| self.coordinates(&cut, |at| self.integer(at), &[]));
-        self.value(expression, &cut, still)[0].cmp0().into()
     }
 
     /// The largest monomial; `None` if the polynomial is zero however the vertices move.
@@ -184,16 +174,29 @@ impl<'q> Search<'q> {
         if active == 0 {
             return self.coefficient(expression, chosen).is_zero();
         }
-        let cut = Cut::new(chosen.iter().map(|&(_, degree)| degree));
-        let coordinates = self.coordinates(&cut, |at| self.integer(at), chosen);
-        let (dimension, matrix) = (self.scene.dimension().count(), expression.matrix());
-        Free { cut: &cut, dimension, matrix, inputs: self.inputs, coordinates, active }.is_zero()
+        let (cut, matrix) = (cut(chosen), expression.matrix());
+        self.moving(&cut, &matrix, chosen, active).is_zero(&self.coordinates)
     }
 
     /// Returns true if the coefficient of the chosen powers is nonzero as a polynomial in the `active` largest
     /// infinitesimals.
     fn is_there(&self, expression: &impl Expression, active: usize, chosen: &[(usize, usize)]) -> bool {
-        !self.evaluate(expression, |at| self.residues[at][usize::from(at < active)], chosen).is_zero()
+        !self.residue(expression, active, chosen).is_zero()
+    }
+
+    /// The residue of a coefficient at a fixed place of the `active` largest infinitesimals.
+    fn residue(&self, expression: &impl Expression, active: usize, chosen: &[(usize, usize)]) -> Residue {
+        self.evaluate(expression, |at| self.residues[at][usize::from(at < active)], chosen)
+    }
+
+    fn moving<'m>(
+        &'m self,
+        cut: &'m Cut,
+        matrix: &'m Matrix,
+        chosen: &'m [(usize, usize)],
+        active: usize,
+    ) -> Moving<'m> {
+        Moving { cut, dimension: self.scene.dimension().count(), matrix, inputs: self.inputs, chosen, active }
     }
 
     fn coefficient(&self, expression: &impl Expression, chosen: &[(usize, usize)]) -> Integer {
@@ -212,34 +215,35 @@ impl<'q> Search<'q> {
         place: impl Fn(usize) -> C,
         chosen: &[(usize, usize)],
     ) -> C {
-        let cut = Cut::new(chosen.iter().map(|&(_, degree)| degree));
-        let coordinates = self.coordinates(&cut, place, chosen);
-        self.value(expression, &cut, &coordinates).pop().expect("a series has a coefficient for its cut")
-    }
-
-    fn coordinates<C: Coefficient>(
-        &self,
-        cut: &Cut,
-        place: impl Fn(usize) -> C,
-        chosen: &[(usize, usize)],
-    ) -> Vec<Series<C>> {
-        (0..self.coordinates.len()).map(|at| self.moved(cut, at, place(at), chosen)).collect()
-    }
-
-    fn value<C: Coefficient>(&self, expression: &impl Expression, cut: &Cut, coordinates: &[Series<C>]) -> Series<C> {
-        expression.of(&Moved { dimension: self.scene.dimension(), cut, inputs: self.inputs, coordinates })
-    }
-
-    /// A coordinate, moved by its infinitesimal if that is chosen.
-    fn moved<C: Coefficient>(&self, cut: &Cut, at: usize, place: C, chosen: &[(usize, usize)]) -> Series<C> {
-        let mut series = cut.constant(place);
-        if let Some(one) = chosen.iter().position(|&(infinitesimal, _)| infinitesimal == at)
-            && let Some(place) = cut.place(one, 1)
-        {
-            series[place] = C::one();
+        match chosen {
+            [] => self.evaluate_in::<Short<C, 1>>(expression, place, chosen).last(),
+            [(_, 1)] => self.evaluate_in::<Short<C, 2>>(expression, place, chosen).last(),
+            _ => self.evaluate_in::<Series<C>>(expression, place, chosen).last(),
         }
-        series
     }
+
+    fn evaluate_in<S: Number>(
+        &self,
+        expression: &impl Expression,
+        place: impl Fn(usize) -> S::Coefficient,
+        chosen: &[(usize, usize)],
+    ) -> S {
+        let cut = &cut(chosen);
+        let moved = |at: usize| {
+            let one = chosen.iter().position(|&(infinitesimal, _)| infinitesimal == at);
+            match one.and_then(|one| cut.place(one, 1)) {
+                Some(monomial) => S::moved(cut, place(at), monomial),
+                None => S::constant(cut, place(at)),
+            }
+        };
+        let coordinates: SmallVec<[S; 32]> = (0..self.coordinates.len()).map(moved).collect();
+        expression.of(&Moved { dimension: self.scene.dimension(), cut, inputs: self.inputs, coordinates: &coordinates })
+    }
+}
+
+/// The cut at the degrees of chosen infinitesimals.
+fn cut(chosen: &[(usize, usize)]) -> Cut {
+    Cut::new(chosen.iter().map(|&(_, degree)| degree))
 }
 
 /// The coordinates of these vertices in units of their lowest bit.
@@ -261,17 +265,31 @@ mod tests {
     use super::*;
     use crate::integer::tests::value;
 
-    /// Checks, on the way to the largest monomial, that the proof in exterior algebra agrees with the value modulo the
-    /// prime, and that coefficients are those of GMP.
+    /// Checks, on the way to the largest monomial, that the proof and the value modulo the prime, both in exterior
+    /// algebra, agree with the value in integers of GMP, and that coefficients are those of GMP.
     ///
-    /// The value modulo the prime is wrong once in 2^58. Returns the numbers of nonzero and of zero coefficients.
+    /// A polynomial is zero at that place once in 2^58. Returns the numbers of nonzero and of zero coefficients.
     fn proofs_are_values(search: &Search, determinant: &Determinant, context: &str) -> [usize; 2] {
         let mut seen = [0; 2];
         let mut check = |active: usize, chosen: &[(usize, usize)]| {
-            let is_there = search.is_there(determinant, active, chosen);
+            let place = |at: usize| {
+                let still = value(&search.integer(at));
+                if at < active { still + noise(at) } else { still }
+            };
+            let moved = search.evaluate(determinant, place, chosen);
+            let residue = search.residue(determinant, active, chosen);
+            let prime = (rug::Integer::from(1) << 61) - 1_u32;
+            let expected = rug::Integer::from(moved.modulo_ref(&prime)).to_u64().map(Residue::new);
+            assert_eq!(Some(residue), expected, "{active} {chosen:?}: {context}");
+            let is_there = moved != 0;
             assert_eq!(search.vanishes(determinant, active, chosen), !is_there, "{active} {chosen:?}: {context}");
             let reference = search.evaluate(determinant, |at| value(&search.integer(at)), chosen);
             assert_eq!(value(&search.coefficient(determinant, chosen)), reference, "{chosen:?}: {context}");
+            // The value at that place is of coordinates of 64 bits and more.
+            let length = |at: usize| value(&search.integer(at)).significant_bits().max(64 * u32::from(at < active)) + 1;
+            let sizes: Vec<(i64, u32)> = (0..search.coordinates.len()).map(|at| (1, length(at))).collect();
+            let bits = search.moving(&cut(chosen), &determinant.matrix(), chosen, active).bits(&sizes);
+            assert!(bits.is_none_or(|bits| moved.significant_bits() <= bits), "{chosen:?}: {context}");
             seen[usize::from(!is_there)] += 1;
         };
         for active in 0..=search.coordinates.len() {

@@ -102,7 +102,7 @@ impl Cut {
     }
 
     /// The number of stored monomials.
-    fn len(&self) -> usize {
+    pub(super) fn len(&self) -> usize {
         self.degrees.iter().map(|degree| degree + 1).product()
     }
 
@@ -111,39 +111,13 @@ impl Cut {
         self.len() == 1
     }
 
-    /// All stored monomials, the constant first.
-    pub(super) fn monomials<C: Coefficient>(&self) -> impl Iterator<Item = Series<C>> + '_ {
-        (0..self.len()).map(|place| {
-            let mut monomial = self.constant(C::zero());
-            monomial[place] = C::one();
-            monomial
-        })
-    }
-
     /// The index of an infinitesimal's power, if it is stored.
     pub(super) fn place(&self, infinitesimal: usize, power: usize) -> Option<usize> {
         let stride: usize = self.degrees[..infinitesimal].iter().map(|degree| degree + 1).product();
         (power <= self.degrees[infinitesimal]).then_some(power * stride)
     }
 
-    pub(super) fn constant<C: Coefficient>(&self, c: C) -> Series<C> {
-        let mut series: Series<C> = smallvec![c];
-        series.resize(self.len(), C::zero());
-        series
-    }
-
-    #[inline]
-    pub(super) fn times<C: Coefficient>(&self, a: &Series<C>, b: &Series<C>) -> Series<C> {
-        // Most numbers are constants.
-        if let ([x], [y]) = (a.as_slice(), b.as_slice()) {
-            let mut product = C::zero();
-            product.add_product(x, y);
-            return smallvec![product];
-        }
-        self.times_in_full(a, b)
-    }
-
-    fn times_in_full<C: Coefficient>(&self, a: &Series<C>, b: &Series<C>) -> Series<C> {
+    fn times<C: Coefficient>(&self, a: &Series<C>, b: &Series<C>) -> Series<C> {
         let mut product: Series<C> = smallvec![C::zero(); self.len()];
         if self.degrees.len() == 1 {
             for (i, x) in a.iter().enumerate() {
@@ -163,7 +137,7 @@ impl Cut {
 
     /// Returns true if the product of two stored monomials is stored.
     #[inline]
-    fn fits(&self, mut i: usize, mut j: usize) -> bool {
+    pub(super) fn fits(&self, mut i: usize, mut j: usize) -> bool {
         self.degrees.iter().all(|degree| {
             let base = degree + 1;
             let within = i % base + j % base <= *degree;
@@ -173,14 +147,104 @@ impl Cut {
     }
 }
 
-pub(super) fn sum<C: Coefficient>(mut a: Series<C>, b: &Series<C>) -> Series<C> {
-    a.iter_mut().zip(b).for_each(|(x, y)| x.add(y));
-    a
+/// A truncated polynomial, in the form that its cut allows.
+pub(super) trait Number: Clone {
+    type Coefficient: Coefficient;
+
+    fn constant(cut: &Cut, c: Self::Coefficient) -> Self;
+    /// A constant plus an infinitesimal, by the index of that monomial.
+    fn moved(cut: &Cut, c: Self::Coefficient, monomial: usize) -> Self;
+    fn times(&self, other: &Self, cut: &Cut) -> Self;
+    fn sum(self, other: &Self) -> Self;
+    fn difference(self, other: &Self) -> Self;
+    /// The coefficient of the cut's own monomial.
+    fn last(self) -> Self::Coefficient;
 }
 
-pub(super) fn difference<C: Coefficient>(mut a: Series<C>, b: &Series<C>) -> Series<C> {
-    a.iter_mut().zip(b).for_each(|(x, y)| x.subtract(y));
-    a
+impl<C: Coefficient> Number for Series<C> {
+    type Coefficient = C;
+
+    fn constant(cut: &Cut, c: C) -> Self {
+        let mut series: Series<C> = smallvec![c];
+        series.resize(cut.len(), C::zero());
+        series
+    }
+
+    fn moved(cut: &Cut, c: C, monomial: usize) -> Self {
+        let mut series = Self::constant(cut, c);
+        series[monomial] = C::one();
+        series
+    }
+
+    fn times(&self, other: &Self, cut: &Cut) -> Self {
+        cut.times(self, other)
+    }
+
+    fn sum(mut self, other: &Self) -> Self {
+        self.iter_mut().zip(other).for_each(|(x, y)| x.add(y));
+        self
+    }
+
+    fn difference(mut self, other: &Self) -> Self {
+        self.iter_mut().zip(other).for_each(|(x, y)| x.subtract(y));
+        self
+    }
+
+    fn last(mut self) -> C {
+        self.pop().expect("a series has a coefficient for its cut")
+    }
+}
+
+/// A polynomial that is truncated at degree zero or one of one infinitesimal: most are.
+#[derive(Clone, Copy)]
+pub(super) struct Short<C, const N: usize>([C; N]);
+
+impl<C: Coefficient, const N: usize> Number for Short<C, N> {
+    type Coefficient = C;
+
+    #[inline]
+    fn constant(_: &Cut, c: C) -> Self {
+        let mut coefficients = std::array::from_fn(|_| C::zero());
+        coefficients[0] = c;
+        Short(coefficients)
+    }
+
+    #[inline]
+    fn moved(cut: &Cut, c: C, monomial: usize) -> Self {
+        let mut number = Self::constant(cut, c);
+        number.0[monomial] = C::one();
+        number
+    }
+
+    #[inline]
+    fn times(&self, other: &Self, cut: &Cut) -> Self {
+        const { assert!(N == 1 || N == 2, "larger powers need a loop") };
+        let mut product = Self::constant(cut, C::zero());
+        product.0[0].add_product(&self.0[0], &other.0[0]);
+        if N == 2 {
+            product.0[1].add_product(&self.0[0], &other.0[1]);
+            product.0[1].add_product(&self.0[1], &other.0[0]);
+        }
+        product
+    }
+
+    #[inline]
+    fn sum(mut self, other: &Self) -> Self {
+        self.0.iter_mut().zip(&other.0).for_each(|(x, y)| x.add(y));
+        self
+    }
+
+    #[inline]
+    fn difference(mut self, other: &Self) -> Self {
+        self.0.iter_mut().zip(&other.0).for_each(|(x, y)| x.subtract(y));
+        self
+    }
+
+    #[inline]
+    fn last(self) -> C {
+        let [.., last] = self.0.as_slice() else { unreachable!("a constant at least") };
+        last.clone()
+    }
 }
 
 #[cfg(test)]
@@ -205,7 +269,7 @@ mod tests {
     }
 
     fn cut(cut: &Cut, plain: &Plain) -> Series<Integer> {
-        let mut series = cut.constant(Integer::ZERO);
+        let mut series = Series::constant(cut, Integer::ZERO);
         for (&[i, j], x) in plain {
             if let (Some(first), Some(second)) = (cut.place(0, i), cut.place(1, j)) {
                 series[first + second] += x;
@@ -224,16 +288,16 @@ mod tests {
             let kept = Cut::new([m, n]);
             let [x, y] = [&a, &b].map(|plain| cut(&kept, plain));
             prop_assert_eq!(kept.times(&x, &y), cut(&kept, &times(&a, &b)));
-            prop_assert_eq!(difference(sum(x.clone(), &y), &y), x);
+            prop_assert_eq!(x.clone().sum(&y).difference(&y), x);
         }
     }
 
     #[test]
     fn the_last_place_is_that_of_the_monomial() {
         let cut = Cut::new([2, 0, 3]);
-        assert_eq!(cut.constant(Integer::from(7)).len(), 12);
+        assert_eq!(Series::constant(&cut, Integer::from(7)).len(), 12);
         assert_eq!((cut.place(0, 2), cut.place(1, 0), cut.place(2, 3)), (Some(2), Some(0), Some(9)));
         assert_eq!((cut.place(0, 3), cut.place(1, 1)), (None, None));
-        assert_eq!(Cut::default().constant(Integer::from(7)).to_vec(), [Integer::from(7)]);
+        assert_eq!(Series::constant(&Cut::default(), Integer::from(7)).to_vec(), [Integer::from(7)]);
     }
 }

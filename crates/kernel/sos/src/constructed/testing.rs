@@ -1,9 +1,10 @@
 //! Scenes for tests: random constructions. Polynomials for tests: coefficients that are integers of GMP.
 
 use predicament_exact::Exact;
-use predicament_predicates::{Backend, Construction, Dimension, Off, Predicates, Scene, Share, Vertex};
+use predicament_predicates::{Backend, Construction, Dimension, Off, Predicates, Question, Scene, Share, Sign, Vertex};
 use rug::Integer;
 
+use super::row::Rows;
 use super::series::Coefficient;
 
 /// The reference for polynomials whose coefficients are integers of any length.
@@ -81,4 +82,9 @@ pub(super) fn constructions(random: &mut Random, scene: &mut Scene, tries: usize
     for construction in found {
         scene.construct(construction).unwrap();
     }
+}
+
+/// The result for a tie by a search through all monomials.
+pub(super) fn search_all(scene: &Scene, question: Question, args: &[Vertex]) -> Option<(Sign, usize)> {
+    super::search_all(scene, &Rows::new(scene), question, args)
 }

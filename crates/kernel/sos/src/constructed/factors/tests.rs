@@ -3,8 +3,7 @@
 use predicament_exact::Exact;
 use predicament_predicates::{Backend, Off, Plane, Predicates};
 
-use super::super::search_all;
-use super::super::testing::Random;
+use super::super::testing::{Random, search_all};
 use super::*;
 
 /// Points of one plane, and of lines with a common vertex: ties that have factors, in a small grid.

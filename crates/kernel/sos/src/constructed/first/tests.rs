@@ -4,8 +4,8 @@ use predicament_exact::Exact;
 use predicament_predicates::{Backend, Construction, Dimension, Off, Plane, Predicates};
 
 use super::*;
-use crate::constructed::search_all;
-use crate::constructed::testing::{Random, constructions};
+
+use crate::constructed::testing::{Random, constructions, search_all};
 
 /// The number of ties by result.
 ///

@@ -7,7 +7,7 @@ use rug::{Integer, Rational, integer::Order};
 use super::*;
 use crate::constructed::moved::Moved;
 use crate::constructed::search::integers;
-use crate::constructed::series::Cut;
+use crate::constructed::series::{Cut, Number as _, Series};
 use crate::constructed::testing::{Random, constructions};
 
 fn value(number: Number) -> Rational {
@@ -35,7 +35,7 @@ fn check(scene: &Scene, rows: &Rows, index: usize) -> bool {
             .iter()
             .enumerate()
             .map(|(at, &(m, k))| {
-                let mut series = cut.constant(Integer::from(m) << k);
+                let mut series = Series::constant(&cut, Integer::from(m) << k);
                 series[1] += i32::from(at == axis);
                 series
             })
@@ -44,6 +44,7 @@ fn check(scene: &Scene, rows: &Rows, index: usize) -> bool {
             Moved { dimension: scene.dimension(), cut: &cut, inputs: &row.inputs, coordinates: &moved }.row(&row.place);
         if sign == 0 {
             sign = Rational::from(polynomial[dimension][0].clone().signum());
+            assert_eq!(row.weight, Sign::from(sign.cmp0()));
         }
         for (which, power) in [(0, 0), (axis + 1, 1)] {
             for &column in &columns {
