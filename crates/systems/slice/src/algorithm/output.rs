@@ -75,7 +75,7 @@ impl Cutter<'_> {
         };
         // A short loop needs turns alone: an order of constructed vertices costs more, most of all where it is a tie.
         if let [around] = loops
-            && let Some(made) = triangulate_few(&*self.session, plane, reversed, around, |_, _, _| false)
+            && let Some(made) = triangulate_few(&*self.session, plane, reversed, around, |_, _, _| false, |_| false)
         {
             out.push(part, source, made);
             return;

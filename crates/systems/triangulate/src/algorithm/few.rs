@@ -17,6 +17,9 @@ pub const MOST: usize = 24;
 /// Triangulates the inside of one simple short loop as [`triangulate`](super::triangulate()) with the method
 /// [`Ears`](super::Method::Ears) does, from turns alone.
 ///
+/// A vertex `is_outer` if it is on the boundary of a convex region that holds the loop. The loop turns left there, or
+/// goes straight on if its neighbours are `in_line`; the session is not asked.
+///
 /// Returns `None` if turns are not enough: if the loop has more than [`MOST`] vertices, fewer than three, or a vertex
 /// twice; if a turn is zero for vertices that are not `in_line`; or if no corner is an ear.
 #[must_use]
@@ -26,6 +29,7 @@ pub fn triangulate_few<P: Predicates + ?Sized>(
     reversed: bool,
     vertices: &[Vertex],
     in_line: impl Fn(Vertex, Vertex, Vertex) -> bool,
+    is_outer: impl Fn(Vertex) -> bool,
 ) -> Option<Vec<[Vertex; 3]>> {
     let count = vertices.len();
     let is_new = |at: usize| !vertices[..at].contains(&vertices[at]);
@@ -39,10 +43,13 @@ pub fn triangulate_few<P: Predicates + ?Sized>(
         Sign::Zero if !in_line(vertices[a], vertices[b], vertices[c]) => None,
         sign => Some(sign),
     };
+    let is_convex = |[a, b, c]: [usize; 3]| {
+        let [u, v, w] = [a, b, c].map(|at| vertices[at]);
+        Some(if is_outer(v) { !in_line(u, v, w) } else { turn(a, b, c)? == Sign::Positive })
+    };
     let mut ears = Ears::new(count);
     for at in 0..count {
-        let [a, b, c] = ears.around(at);
-        if turn(a, b, c)? == Sign::Positive {
+        if is_convex(ears.around(at))? {
             ears.enqueue(at);
         } else {
             ears.is_reflex |= 1 << at;
@@ -77,9 +84,8 @@ pub fn triangulate_few<P: Predicates + ?Sized>(
         if ears.left == 3 {
             break;
         }
-        for neighbour in [a, c] {
-            let [before, at, after] = ears.around(neighbour);
-            if ears.is_queued >> at & 1 == 0 && turn(before, at, after)? == Sign::Positive {
+        for at in [a, c] {
+            if ears.is_queued >> at & 1 == 0 && is_convex(ears.around(at))? {
                 if ears.is_reflex >> at & 1 == 1 {
                     ears.is_reflex ^= 1 << at;
                     waiting.iter().rev().filter(|[blocker, _]| *blocker == at).for_each(|&[_, at]| ears.enqueue(at));

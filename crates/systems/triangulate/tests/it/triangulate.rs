@@ -256,19 +256,28 @@ fn short_loops_need_no_order() {
             exact.orient2d(Plane::Xy, a, b, c)
         };
         let is_convex = (0..count).all(|at| turn(at) == Sign::Positive);
-        let few = triangulate_few(&exact, Plane::Xy, false, &loops[0], |_, _, _| true);
+        let few = triangulate_few(&exact, Plane::Xy, false, &loops[0], |_, _, _| true, |_| false);
         let backwards: Vec<Vertex> = loops[0].iter().rev().copied().collect();
-        let reversed = triangulate_few(&exact, Plane::Xy, true, &backwards, |_, _, _| true);
+        let reversed = triangulate_few(&exact, Plane::Xy, true, &backwards, |_, _, _| true, |_| false);
         assert_eq!(reversed.map(|made| made.len()), Some(count - 2));
         if is_convex {
             assert_eq!(few.as_ref(), Some(&found.triangles));
             convex += 1;
         }
         // If `in_line` does not know three vertices in line, the function returns `None`.
-        let unknown = triangulate_few(&exact, Plane::Xy, false, &loops[0], |_, _, _| false);
+        let unknown = triangulate_few(&exact, Plane::Xy, false, &loops[0], |_, _, _| false, |_| false);
         assert!(unknown.is_none() || unknown == few);
         assert!(unknown.is_none() || (0..count).all(|at| !turn(at).is_zero()));
         in_line += usize::from(unknown.is_none());
+        // A vertex is on the boundary of the convex hull if all others are on one side of a line through it.
+        let is_outer = |v: Vertex| {
+            loops[0]
+                .iter()
+                .any(|&w| v != w && loops[0].iter().all(|&x| exact.orient2d(Plane::Xy, v, w, x) != Sign::Negative))
+        };
+        let are_in_line = |a, b, c| exact.orient2d(Plane::Xy, a, b, c).is_zero();
+        let known = triangulate_few(&exact, Plane::Xy, false, &loops[0], are_in_line, is_outer);
+        assert_eq!(known, few);
         let triangles = few.expect("a star has an ear");
         if triangles == found.triangles {
             same += 1
@@ -288,7 +297,7 @@ fn short_loops_that_are_none_are_left_to_others() {
     let exact = Exact.prepare(&scene, Off).unwrap();
     let few = |of: &[usize]| {
         let vertices: Vec<Vertex> = of.iter().copied().map(Vertex::input).collect();
-        triangulate_few(&exact, Plane::Xy, false, &vertices, |_, _, _| false)
+        triangulate_few(&exact, Plane::Xy, false, &vertices, |_, _, _| false, |_| false)
     };
     assert_eq!(few(&[0, 1, 2, 3]).map(|made| made.len()), Some(2));
     assert_eq!(few(&[3, 2, 1, 0]), None, "no corner is an ear");

@@ -75,8 +75,9 @@ impl Cutting<'_> {
             let add = |triangle: [Vertex; 3]| Piece { triangle, of, region };
             if let [walk] = face {
                 let in_line = |a: Vertex, b: Vertex, c: Vertex| known.are_in_line(a, b, c);
-                let known: &dyn Predicates = known;
-                if let Some(made) = triangulate_few(known, plane.0, plane.1, &walk.vertices, in_line) {
+                let is_outer = |v: Vertex| known.is_at_border(v);
+                let session: &dyn Predicates = known;
+                if let Some(made) = triangulate_few(session, plane.0, plane.1, &walk.vertices, in_line, is_outer) {
                     pieces.extend(made.into_iter().map(add));
                     continue;
                 }

@@ -44,6 +44,11 @@ impl<'a> Known<'a> {
         self.lines(a) & self.lines(b) & self.lines(c) != 0
     }
 
+    /// Returns true for a vertex on an edge of the triangle.
+    pub fn is_at_border(&self, v: Vertex) -> bool {
+        self.lines(v) & 0b111 != 0
+    }
+
     fn level(&self) -> &[u64; 3] {
         self.level.get_or_init(|| {
             AXES.map(|axis| {
