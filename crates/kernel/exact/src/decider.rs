@@ -137,6 +137,17 @@ impl<'s> Decider<'s> {
         }
     }
 
+    /// See [`Session::is_known_double`](crate::Session::is_known_double).
+    #[inline(always)]
+    pub fn is_known_double(&self, kind: PredicateKind) -> bool {
+        match kind {
+            PredicateKind::Incircle => self.flat.get().is_some_and(|plan| plan.incircle.is_double()),
+            PredicateKind::Orient3d => self.solid.get().is_some_and(|plan| plan.orient3d.is_double()),
+            PredicateKind::Insphere => self.solid.get().is_some_and(|plan| plan.insphere.is_double()),
+            _ => false,
+        }
+    }
+
     /// See [`Session::constructed`](crate::Session::constructed).
     pub fn constructed(&self) -> &Constructed {
         &self.constructed

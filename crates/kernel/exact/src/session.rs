@@ -55,6 +55,15 @@ impl<'s, T: Tally> Session<'s, T> {
         self.decider.is_double(kind)
     }
 
+    /// Returns true if doubles make no error in this predicate of three or more differences, and the plan is made.
+    ///
+    /// The call is a few instructions. A tie has made the plan.
+    #[inline(always)]
+    #[must_use]
+    pub fn is_known_double(&self, kind: PredicateKind) -> bool {
+        self.decider.is_known_double(kind)
+    }
+
     /// The scene's constructed vertices.
     #[must_use]
     pub fn constructed(&self) -> &Constructed {

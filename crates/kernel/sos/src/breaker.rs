@@ -77,49 +77,118 @@ impl<'s> Breaker<'s> {
         }
     }
 
-    // Ties are broken out of line and take vertices in registers: answers without ties need no stack for them.
+    // Ties are broken out of line and take vertices in registers: answers without ties need no stack for them. Most
+    // ties need none either. The others are left to a second function, which takes the same registers.
+
+    #[inline(always)]
+    pub fn tie_orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> (Sign, usize) {
+        match self.scheme {
+            Scheme::PerCoordinate => self.orient2d::<PER_COORDINATE>(plane, a, b, c),
+            Scheme::EdelsbrunnerMucke => self.orient2d::<EDELSBRUNNER_MUCKE>(plane, a, b, c),
+        }
+    }
 
     #[cold]
     #[inline(never)]
-    pub fn tie_orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> (Sign, usize) {
-        let decided = match self.scheme {
-            Scheme::PerCoordinate => leading::orient2d::<PER_COORDINATE>(self.points, plane, [a, b, c]),
-            Scheme::EdelsbrunnerMucke => leading::orient2d::<EDELSBRUNNER_MUCKE>(self.points, plane, [a, b, c]),
-        };
+    fn orient2d<const SCHEME: usize>(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> (Sign, usize) {
+        if self.points.solid.is_empty()
+            && let Some((sign, place)) = leading::differences::<SCHEME>(self.points.flat, [a, b, c])
+        {
+            return (sign, stage::FIRST_TERM + place);
+        }
+        self.open_orient2d::<SCHEME>(plane, a, b, c)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn open_orient2d<const SCHEME: usize>(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> (Sign, usize) {
+        let decided = leading::orient2d::<SCHEME>(self.points, plane, [a, b, c]);
         self.broken(Question::Orient2d(plane), [a, b, c], decided)
     }
 
-    #[cold]
-    #[inline(never)]
+    #[inline(always)]
     pub fn tie_orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
-        let (exact, args) = (&self.exact, [a, b, c, d]);
-        let decided = match self.scheme {
-            Scheme::PerCoordinate => leading::orient3d::<PER_COORDINATE>(exact, self.points, args),
-            Scheme::EdelsbrunnerMucke => leading::orient3d::<EDELSBRUNNER_MUCKE>(exact, self.points, args),
-        };
-        self.broken(Question::Orient3d, args, decided)
+        match self.scheme {
+            Scheme::PerCoordinate => self.orient3d::<PER_COORDINATE>(a, b, c, d),
+            Scheme::EdelsbrunnerMucke => self.orient3d::<EDELSBRUNNER_MUCKE>(a, b, c, d),
+        }
     }
 
     #[cold]
     #[inline(never)]
+    fn orient3d<const SCHEME: usize>(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
+        if self.exact.is_known_double(PredicateKind::Orient3d)
+            && let Some((sign, place)) = leading::turns_of::<SCHEME>(self.points.solid, [a, b, c, d])
+        {
+            return (sign, stage::FIRST_TERM + place);
+        }
+        self.open_orient3d::<SCHEME>(a, b, c, d)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn open_orient3d<const SCHEME: usize>(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
+        let decided = leading::orient3d::<SCHEME>(&self.exact, self.points, [a, b, c, d]);
+        self.broken(Question::Orient3d, [a, b, c, d], decided)
+    }
+
+    #[inline(always)]
     pub fn tie_incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
-        let (exact, args) = (&self.exact, [a, b, c, d]);
-        let decided = match self.scheme {
-            Scheme::PerCoordinate => leading::incircle::<PER_COORDINATE>(exact, self.points, args),
-            Scheme::EdelsbrunnerMucke => leading::incircle::<EDELSBRUNNER_MUCKE>(exact, self.points, args),
-        };
-        self.broken(Question::Incircle, args, decided)
+        match self.scheme {
+            Scheme::PerCoordinate => self.incircle::<PER_COORDINATE>(a, b, c, d),
+            Scheme::EdelsbrunnerMucke => self.incircle::<EDELSBRUNNER_MUCKE>(a, b, c, d),
+        }
     }
 
     #[cold]
     #[inline(never)]
+    fn incircle<const SCHEME: usize>(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
+        if self.exact.is_known_double(PredicateKind::Incircle)
+            && let Some(sign) = many::first_incircle::<SCHEME>(self.points.flat, [a, b, c, d])
+        {
+            return (sign, stage::FIRST_TERM);
+        }
+        self.open_incircle::<SCHEME>(a, b, c, d)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn open_incircle<const SCHEME: usize>(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
+        let decided = leading::incircle::<SCHEME>(&self.exact, self.points, [a, b, c, d]);
+        self.broken(Question::Incircle, [a, b, c, d], decided)
+    }
+
+    #[inline(always)]
     pub fn tie_insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> (Sign, usize) {
-        let (exact, args) = (&self.exact, [a, b, c, d, e]);
-        let decided = match self.scheme {
-            Scheme::PerCoordinate => leading::insphere::<PER_COORDINATE>(exact, self.points, args),
-            Scheme::EdelsbrunnerMucke => leading::insphere::<EDELSBRUNNER_MUCKE>(exact, self.points, args),
-        };
-        self.broken(Question::Insphere, args, decided)
+        match self.scheme {
+            Scheme::PerCoordinate => self.insphere::<PER_COORDINATE>(a, b, c, d, e),
+            Scheme::EdelsbrunnerMucke => self.insphere::<EDELSBRUNNER_MUCKE>(a, b, c, d, e),
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn insphere<const SCHEME: usize>(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> (Sign, usize) {
+        if self.exact.is_known_double(PredicateKind::Insphere)
+            && let Some(sign) = many::first_insphere::<SCHEME>(self.points.solid, [a, b, c, d, e])
+        {
+            return (sign, stage::FIRST_TERM);
+        }
+        self.open_insphere::<SCHEME>(a, b, c, d, e)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn open_insphere<const SCHEME: usize>(
+        &self,
+        a: Vertex,
+        b: Vertex,
+        c: Vertex,
+        d: Vertex,
+        e: Vertex,
+    ) -> (Sign, usize) {
+        let decided = leading::insphere::<SCHEME>(&self.exact, self.points, [a, b, c, d, e]);
+        self.broken(Question::Insphere, [a, b, c, d, e], decided)
     }
 
     #[inline(always)]

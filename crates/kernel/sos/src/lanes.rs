@@ -14,7 +14,7 @@ use predicament_lanes::signs_of;
 use predicament_predicates::{PredicateKind, Sign, Vertex};
 
 use crate::filter::{self, Struck};
-use crate::leading::{INCIRCLE, INSPHERE, difference, leading, turned_columns};
+use crate::leading::{self, INCIRCLE, INSPHERE, difference, sign_of, turned_columns};
 use crate::{Lift, Scheme, Term};
 
 /// Breaks ties of `orient2d` in the plane, and returns a bit mask of the ties that remain open.
@@ -86,7 +86,24 @@ pub(crate) fn incircle<const SCHEME: usize>(
 
 #[inline(always)]
 fn first_of_incircle<const SCHEME: usize, const EXACT: bool>(rows: [[f64; 2]; 4], numbers: [f64; 4]) -> (f64, f64) {
-    let ([first, p, q, r], flip) = smallest_first(rows, numbers);
+    let (rows, flip) = smallest_first(rows, numbers);
+    let (value, bound) = incircle_term::<SCHEME, EXACT>(rows);
+    (flip * value, bound)
+}
+
+/// Breaks a single tie of `incircle` by the first term if doubles make no error.
+///
+/// `None` if the term is zero, a vertex is not an input vertex, or the smallest vertex occurs twice, here and below.
+#[inline(always)]
+pub(crate) fn first_incircle<const SCHEME: usize>(points: &[[f64; 2]], args: [Vertex; 4]) -> Option<Sign> {
+    let [a, b, c, d] = leading::smallest_first(args)?;
+    let at = |v: Vertex| points.get(v.index()).copied();
+    sign_of(incircle_term::<SCHEME, true>([at(a)?, at(b)?, at(c)?, at(d)?]).0)
+}
+
+/// The first term of `incircle`, and the bound for its sign; the smallest vertex is the first row.
+#[inline(always)]
+fn incircle_term<const SCHEME: usize, const EXACT: bool>([first, p, q, r]: [[f64; 2]; 4]) -> (f64, f64) {
     let term = const { first_term::<SCHEME, INCIRCLE>() };
     let (value, bound) = match (term.columns, term.lift) {
         (&[_, _], None) => certain::<EXACT>(anywhere::orient2d([p, q, r])),
@@ -97,7 +114,7 @@ fn first_of_incircle<const SCHEME: usize, const EXACT: bool>(rows: [[f64; 2]; 4]
         }
         _ => (f64::NAN, f64::NAN),
     };
-    (signed(term, flip) * value, bound)
+    (if matches!(term.sign, Sign::Negative) { -value } else { value }, bound)
 }
 
 /// Breaks ties of `insphere`, and returns a bit mask of the ties that remain open.
@@ -117,7 +134,22 @@ pub(crate) fn insphere<const SCHEME: usize>(
 
 #[inline(always)]
 fn first_of_insphere<const SCHEME: usize, const EXACT: bool>(rows: [[f64; 3]; 5], numbers: [f64; 5]) -> (f64, f64) {
-    let ([first, p, q, r, s], flip) = smallest_first(rows, numbers);
+    let (rows, flip) = smallest_first(rows, numbers);
+    let (value, bound) = insphere_term::<SCHEME, EXACT>(rows);
+    (flip * value, bound)
+}
+
+/// Breaks a single tie of `insphere` by the first term if doubles make no error.
+#[inline(always)]
+pub(crate) fn first_insphere<const SCHEME: usize>(points: &[[f64; 3]], args: [Vertex; 5]) -> Option<Sign> {
+    let [a, b, c, d, e] = leading::smallest_first(args)?;
+    let at = |v: Vertex| points.get(v.index()).copied();
+    sign_of(insphere_term::<SCHEME, true>([at(a)?, at(b)?, at(c)?, at(d)?, at(e)?]).0)
+}
+
+/// The first term of `insphere`, and the bound for its sign; the smallest vertex is the first row.
+#[inline(always)]
+fn insphere_term<const SCHEME: usize, const EXACT: bool>([first, p, q, r, s]: [[f64; 3]; 5]) -> (f64, f64) {
     let term = const { first_term::<SCHEME, INSPHERE>() };
     let (value, bound) = match (term.columns, term.lift) {
         (&[_, _, _], None) => certain::<EXACT>(anywhere::orient3d([p, q, r, s])),
@@ -128,12 +160,12 @@ fn first_of_insphere<const SCHEME: usize, const EXACT: bool>(rows: [[f64; 3]; 5]
         }
         _ => (f64::NAN, f64::NAN),
     };
-    (signed(term, flip) * value, bound)
+    (if matches!(term.sign, Sign::Negative) { -value } else { value }, bound)
 }
 
 /// The first term of a list, a minor of all rows but the first.
 const fn first_term<const SCHEME: usize, const KIND: usize>() -> Term {
-    let Some(term) = leading(Scheme::ALL[SCHEME].terms(PredicateKind::ALL[KIND]), 0) else {
+    let Some(term) = leading::leading(Scheme::ALL[SCHEME].terms(PredicateKind::ALL[KIND]), 0) else {
         panic!("only the first vertex moves in the first term");
     };
     // Doubles that make no error are those of differences, so of a lift about a vertex.
@@ -154,11 +186,6 @@ fn struck<const D: usize>(lift: Lift, column: usize, first: [f64; D]) -> Struck 
 #[inline(always)]
 fn certain<const EXACT: bool>(Bounded { determinant, bound }: Bounded) -> (f64, f64) {
     (determinant, if EXACT { 0.0 } else { bound })
-}
-
-#[inline(always)]
-fn signed(term: Term, flip: f64) -> f64 {
-    if matches!(term.sign, Sign::Negative) { -flip } else { flip }
 }
 
 /// The point of the vertex with the smallest number first, and the parity of the exchanges, 1 or −1.

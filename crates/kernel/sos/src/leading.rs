@@ -64,36 +64,67 @@ pub(crate) type Decided = Option<(Sign, usize)>;
 /// `SCHEME` is an index in [`Scheme::ALL`], here and below.
 #[inline(always)]
 pub(crate) fn orient2d<const SCHEME: usize>(points: Points, plane: Plane, args: [Vertex; 3]) -> Decided {
-    let [p, q] = after_smallest(args)?;
-    // Columns ascend, so zx is xz, its mirror image: as if p and q were exchanged.
-    let [p, q] = if plane == Plane::Zx { [q, p] } else { [p, q] };
-    let rows = if points.solid.is_empty() {
-        [*points.flat.get(p.index())?, *points.flat.get(q.index())?]
+    let decided = if points.solid.is_empty() {
+        differences::<SCHEME>(points.flat, args)
     } else {
-        let [x, y] = match plane {
-            Plane::Xy => [0, 1],
-            Plane::Yz => [1, 2],
-            Plane::Zx => [0, 2],
+        // Columns ascend, so zx is xz, its mirror image: as if two vertices were exchanged.
+        let ([x, y], is_mirrored) = match plane {
+            Plane::Xy => ([0, 1], false),
+            Plane::Yz => ([1, 2], false),
+            Plane::Zx => ([0, 2], true),
         };
+        let [p, q] = after_smallest(args)?;
+        let [p, q] = if is_mirrored { [q, p] } else { [p, q] };
         let [p, q] = [points.solid.get(p.index())?, points.solid.get(q.index())?];
-        [[p[x], p[y]], [q[x], q[y]]]
+        differences_of::<SCHEME>([[p[x], p[y]], [q[x], q[y]]])
     };
-    // Both leading terms at once: the first one is zero too often for a branch.
+    match decided {
+        None => rest_of_orient2d::<SCHEME>(points, plane, args),
+        decided => decided,
+    }
+}
+
+/// Breaks a tie of `orient2d` in the plane by the leading terms.
+///
+/// `None` if both are zero, a vertex is not an input vertex, or the smallest vertex occurs twice.
+#[inline(always)]
+pub(crate) fn differences<const SCHEME: usize>(points: &[[f64; 2]], args: [Vertex; 3]) -> Decided {
+    let [p, q] = after_smallest(args)?;
+    differences_of::<SCHEME>([*points.get(p.index())?, *points.get(q.index())?])
+}
+
+/// The leading terms of `orient2d`, from the rows after the smallest vertex.
+#[inline(always)]
+fn differences_of<const SCHEME: usize>(rows: [[f64; 2]; 2]) -> Decided {
     let [first, second] = const {
         let terms = Scheme::ALL[SCHEME].terms(PredicateKind::Orient2d);
         [difference(terms[0]), difference(terms[1])]
     };
-    let compared = |[p, q, column]: [usize; 3]| {
-        let [p, q] = [rows[p - 1][column], rows[q - 1][column]];
-        i32::from(p > q) - i32::from(p < q)
-    };
-    let [first, second] = [compared(first), compared(second)];
-    let sum = 2 * first + second;
-    if sum == 0 {
-        return rest_of_orient2d::<SCHEME>(points, plane, args);
+    // (A difference of doubles has the right sign.)
+    let compared = |[p, q, column]: [usize; 3]| rows[p - 1][column] - rows[q - 1][column];
+    first_nonzero([compared(first), compared(second)])
+}
+
+/// The sign and the place of the first of some values that is not zero; `None` if all are.
+///
+/// Values are selected as integers, without branches: the first one is zero too often for a branch.
+#[inline(always)]
+fn first_nonzero<const N: usize>(values: [f64; N]) -> Decided {
+    let is_zero = |bits: u64| bits << 1 == 0;
+    let (mut first, mut place) = (values[N - 1].to_bits(), N - 1);
+    for at in (0..N - 1).rev() {
+        let bits = values[at].to_bits();
+        (first, place) = if is_zero(bits) { (first, place) } else { (bits, at) };
     }
+    const SIGNS: [Sign; 2] = [Sign::Positive, Sign::Negative];
+    (!is_zero(first)).then_some((SIGNS[usize::from(first >> 63 == 1)], place))
+}
+
+/// The sign of a value that is not zero.
+#[inline(always)]
+pub(crate) fn sign_of(value: f64) -> Option<Sign> {
     const SIGNS: [Sign; 2] = [Sign::Negative, Sign::Positive];
-    Some((SIGNS[usize::from(sum > 0)], usize::from(first == 0)))
+    (value != 0.0).then_some(SIGNS[usize::from(value > 0.0)])
 }
 
 /// A leading term of `orient2d`: the positive row, the other row, and the column.
@@ -163,30 +194,28 @@ pub(crate) fn orient3d<const SCHEME: usize>(exact: &Exact, points: Points, args:
     let is_exact = exact.is_double(PredicateKind::Orient3d);
     let decided = if is_exact {
         let [_, p, q, r] = points_of;
-        turns::<SCHEME>(p, q, r)
+        turns::<SCHEME>(p, q, r).ok_or(3)
     } else {
         first::<SCHEME, ORIENT3D>(Three::<false, 3> { exact, vertices, points: points_of })
     };
     decided.map_or_else(|from| deep::<SCHEME, ORIENT3D, 3, 4>(exact, points.solid, args, (is_exact, from)), Some)
 }
 
-/// The leading terms of `orient3d` if doubles make no error, all three at once.
-///
-/// The first of them is zero too often for a branch.
+/// Breaks a tie of `orient3d` by the leading terms if doubles make no error; `None` if all of them are zero, a vertex is
+/// not an input vertex, or the smallest vertex occurs twice.
 #[inline(always)]
-fn turns<const SCHEME: usize>(p: &[f64; 3], q: &[f64; 3], r: &[f64; 3]) -> Result<(Sign, usize), usize> {
+pub(crate) fn turns_of<const SCHEME: usize>(points: &[[f64; 3]], args: [Vertex; 4]) -> Decided {
+    let [_, p, q, r] = smallest_first(args)?;
+    turns::<SCHEME>(points.get(p.index())?, points.get(q.index())?, points.get(r.index())?)
+}
+
+/// The leading terms of `orient3d` if doubles make no error, all three at once.
+#[inline(always)]
+fn turns<const SCHEME: usize>(p: &[f64; 3], q: &[f64; 3], r: &[f64; 3]) -> Decided {
     let [u, v] = [[p[0] - r[0], p[1] - r[1], p[2] - r[2]], [q[0] - r[0], q[1] - r[1], q[2] - r[2]]];
     let minor = |[x, y]: [usize; 2]| u[x] * v[y] - u[y] * v[x];
     let [first, second, third] = const { turned_columns(Scheme::ALL[SCHEME].terms(PredicateKind::Orient3d)) };
-    let [first, second, third] = [minor(first), minor(second), minor(third)];
-    let [is_second, is_third] = [first == 0.0, (first == 0.0) & (second == 0.0)];
-    let value = if is_second { second } else { first };
-    let value = if is_third { third } else { value };
-    if value == 0.0 {
-        return Err(3);
-    }
-    const SIGNS: [Sign; 2] = [Sign::Negative, Sign::Positive];
-    Ok((SIGNS[usize::from(value > 0.0)], usize::from(is_second) + usize::from(is_third)))
+    first_nonzero([minor(first), minor(second), minor(third)])
 }
 
 /// The columns of `orient3d`'s leading terms, exchanged if the sign is negative.
@@ -369,7 +398,7 @@ fn after_smallest([a, b, c]: [Vertex; 3]) -> Option<[Vertex; 2]> {
 
 /// The vertices with the smallest one first, by an even permutation; `None` if the smallest occurs twice.
 #[inline(always)]
-fn smallest_first<const N: usize>(mut vertices: [Vertex; N]) -> Option<[Vertex; N]> {
+pub(crate) fn smallest_first<const N: usize>(mut vertices: [Vertex; N]) -> Option<[Vertex; N]> {
     let (mut odd, mut unique) = (false, true);
     for i in 1..N {
         let [a, b] = [vertices[0], vertices[i]];
