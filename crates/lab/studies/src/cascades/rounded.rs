@@ -1,6 +1,5 @@
 //! Results that are rounded to doubles after each step, vertex by vertex.
 
-use std::collections::HashMap;
 use std::time::{Duration, Instant};
 
 use predicament_judge::{nearest, point, rational};
@@ -9,13 +8,13 @@ use predicament_predicates::{Declined, Plane, Predicates, Scene, Vertex};
 use predicament_tasks::Contestant;
 
 use super::cascade::{Loop, Operand};
-use super::current::{Pair, cleaned};
+use super::current::{Current, Places, Ring, cleaned};
 use super::step::{End, Stepped, Then, shape_of};
 use super::whole::{origins, turned};
 
 /// The result of a step.
 pub(super) struct Made {
-    pub regions: Vec<Vec<Loop>>,
+    pub regions: Vec<Vec<Ring>>,
     pub elapsed: Duration,
     pub constructed: usize,
     pub broken: Option<Contradiction>,
@@ -24,23 +23,25 @@ pub(super) struct Made {
 
 /// Does the steps; rounds every vertex to the nearest double, or uses the session's rounded point.
 pub(super) fn run(backend: &dyn Contestant, start: &Loop, steps: &[Operand], then: &mut Then<'_>) -> Result<(), End> {
-    each(start, steps, then, |pair, step, wants_turned| {
+    each(start, steps, then, |current, step, wants_turned| {
+        let clock = Instant::now();
+        let operand = current.ring(&step.corners);
+        let pair = current.pair(&operand)?;
         in_session(backend, &pair.scene, &mut |session| {
-            let clock = Instant::now();
             let result = combine(session, &pair.first, &pair.second, step.operation, Search::Grid)?;
             let session = &*session;
-            let mut places: HashMap<Vertex, [f64; 2]> = HashMap::new();
-            let vertices: Vec<Vec<Vec<Vertex>>> =
-                result.regions.iter().map(|region| region.loops().map(|one| origins(one)).collect()).collect();
-            let mut at = |v: &Vertex| *places.entry(*v).or_insert_with(|| place(session, *v));
-            let regions = vertices
-                .iter()
-                .map(|region| region.iter().map(|one| one.iter().map(&mut at).collect()).collect())
-                .collect();
+            let mut places = Places::new(&pair, session);
+            let regions = places.rings(&mut current.points, &result.regions);
             let elapsed = clock.elapsed();
             let turned = wants_turned.then(|| {
+                let vertices: Vec<Vec<Vec<Vertex>>> =
+                    result.regions.iter().map(|region| region.loops().map(|one| origins(one)).collect()).collect();
                 let defined = |v: Vertex| point(session.scene(), v).and_then(|point| point.try_into().ok());
-                turned(&vertices, |v| defined(v).unwrap_or_default(), |v| places[&v].map(rational))
+                let rounded = |v: Vertex| {
+                    let at = places.of(&mut current.points, v);
+                    current.points.points[at as usize].map(rational)
+                };
+                turned(&vertices, |v| defined(v).unwrap_or_default(), rounded)
             });
             Ok(Made {
                 regions,
@@ -58,26 +59,23 @@ pub(super) fn each(
     start: &Loop,
     steps: &[Operand],
     then: &mut Then<'_>,
-    mut make: impl FnMut(&Pair, &Operand, bool) -> Result<Made, End>,
+    mut make: impl FnMut(&mut Current, &Operand, bool) -> Result<Made, End>,
 ) -> Result<(), End> {
-    let mut current = vec![vec![start.clone()]];
+    let mut current = Current::new(start);
     for (at, step) in steps.iter().enumerate() {
-        let clock = Instant::now();
-        let pair = Pair::new(&current, &step.corners)?;
-        let preparing = clock.elapsed();
-        let made = make(&pair, step, then.is_sampled(at))?;
+        let made = make(&mut current, step, then.is_sampled(at))?;
         let clock = Instant::now();
         let (regions, collapsed) = cleaned(made.regions);
-        current = regions;
+        current.replace(regions);
         then.call(Stepped {
-            elapsed: preparing + made.elapsed + clock.elapsed(),
+            elapsed: made.elapsed + clock.elapsed(),
             constructed: made.constructed,
             collapsed,
-            held: current.iter().flatten().map(Vec::len).sum(),
+            held: current.held(),
             thickness: 0.0,
             broken: made.broken.map(Into::into),
-            is_gone: current.is_empty(),
-            shape: &|| shape_of(&current),
+            is_gone: current.regions.is_empty(),
+            shape: &|| shape_of(&current.loops()),
             turned: &|| made.turned,
         })?;
     }

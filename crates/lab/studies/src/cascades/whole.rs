@@ -108,15 +108,15 @@ impl Places<'_> {
 /// The number of corners with a constructed vertex whose turn differs between two positions of their vertices.
 pub(super) fn turned(
     regions: &[Vec<Vec<Vertex>>],
-    before: impl Fn(Vertex) -> Point,
-    after: impl Fn(Vertex) -> Point,
+    mut before: impl FnMut(Vertex) -> Point,
+    mut after: impl FnMut(Vertex) -> Point,
 ) -> usize {
+    let mut differs = |corner: [Vertex; 3]| {
+        corner.iter().any(|v| v.is_constructed())
+            && turn(corner.map(&mut before)).cmp0() != turn(corner.map(&mut after)).cmp0()
+    };
     let of_loop = |one: &Vec<Vertex>| {
         let corner = |at: usize| [0, 1, 2].map(|next| one[(at + next) % one.len()]);
-        let differs = |corner: [Vertex; 3]| {
-            corner.iter().any(|v| v.is_constructed())
-                && turn(corner.map(&before)).cmp0() != turn(corner.map(&after)).cmp0()
-        };
         (0..one.len()).map(corner).filter(|corner| differs(*corner)).count()
     };
     regions.iter().flatten().map(of_loop).sum()

@@ -9,9 +9,10 @@
 //! The leftmost vertex of each loop is needed to find the face around its component; in vertices of several loops the
 //! loops touch. The edges at these vertices are not part of a run.
 
-use predicament_predicates::{Predicates, Scene, Vertex};
+use predicament_predicates::{Dimension, Predicates, Scene, Vertex};
 
 use super::polygon::{Edge, Polygon, Region};
+use super::reach::Extent;
 use super::sides::{Lines, NOTHING, Spot, joined, meets};
 
 /// Consecutive edges of a loop that meet nothing else.
@@ -46,26 +47,19 @@ pub(super) fn split(session: &dyn Predicates, first: &[Region], second: &Polygon
     let lines = Lines::new(session, second);
     let mut split = Split::default();
     let touched = Touched::new(session.scene(), first);
-    let (mut spots, mut is_near) = (Vec::new(), Vec::new());
+    let mut chart = Chart::new(session);
+    let mut is_near = Vec::new();
     for region in first {
-        let spot = |edge: &Edge| Spot::new(session, edge.from);
-        spots.clear();
-        spots.extend(region.outer.iter().map(spot));
-        if !meets(&spots.iter().map(|spot| spot.extent).fold(NOTHING, joined), &lines.bounds) {
+        if !meets(&chart.enter(&region.outer), &lines.bounds) {
             split.apart.push(region.clone());
             continue;
         }
         for (at, one) in region.loops().enumerate() {
             if at > 0 {
-                spots.clear();
-                spots.extend(one.iter().map(spot));
+                chart.enter(one);
             }
             is_near.clear();
-            is_near.extend((0..one.len()).map(|at| {
-                let next = if at + 1 == one.len() { 0 } else { at + 1 };
-                lines.may_meet([&spots[at], &spots[next]])
-            }));
-            keep_leftmost(&spots, &mut is_near);
+            chart.keep_near(&lines, &mut is_near);
             for at in (0..one.len()).filter(|&at| touched.times(one[at].from) > 1) {
                 keep_both(at, &mut is_near);
             }
@@ -75,11 +69,54 @@ pub(super) fn split(session: &dyn Predicates, first: &[Region], second: &Polygon
     split
 }
 
-/// Keeps the edges at every vertex that may be a loop's leftmost.
-fn keep_leftmost(spots: &[Spot], is_near: &mut [bool]) {
-    let least = spots.iter().map(|spot| spot.extent[2]).fold(f64::INFINITY, f64::min);
-    for (at, _) in spots.iter().enumerate().filter(|(_, spot)| spot.extent[0] <= least) {
-        keep_both(at, is_near);
+/// The positions of a loop's vertices.
+struct Chart<'a> {
+    session: &'a dyn Predicates,
+    /// The points of the scene if it has nothing else; then positions are points.
+    points: Option<&'a [[f64; 2]]>,
+    at: Vec<[f64; 2]>,
+    spots: Vec<Spot>,
+}
+
+impl<'a> Chart<'a> {
+    fn new(session: &'a dyn Predicates) -> Chart<'a> {
+        let scene = session.scene();
+        let are_points = scene.dimension() == Dimension::Two && scene.constructions().is_empty();
+        let points = are_points.then(|| scene.coordinates().as_chunks().0);
+        Chart { session, points, at: Vec::new(), spots: Vec::new() }
+    }
+
+    /// Enters a loop; returns its box.
+    fn enter(&mut self, one: &[Edge]) -> Extent {
+        self.at.clear();
+        self.spots.clear();
+        match self.points {
+            Some(points) => {
+                self.at.extend(one.iter().map(|edge| points[edge.from.index()]));
+                self.at.iter().fold(NOTHING, |all, &[x, y]| joined(all, [x, y, x, y]))
+            }
+            None => {
+                self.spots.extend(one.iter().map(|edge| Spot::new(self.session, edge.from)));
+                self.spots.iter().map(|spot| spot.extent).fold(NOTHING, joined)
+            }
+        }
+    }
+
+    /// Finds the edges of the loop that may meet the lines, and those at every vertex that may be leftmost.
+    fn keep_near(&self, lines: &Lines, is_near: &mut Vec<bool>) {
+        let less = |x: f64, y: f64| if y < x { y } else { x };
+        if self.points.is_some() {
+            lines.near_edges(&self.at, is_near);
+            let least = self.at.iter().map(|at| at[0]).fold(f64::INFINITY, less);
+            let lowest = self.at.iter().enumerate().filter(|(_, point)| point[0] <= least);
+            lowest.for_each(|(at, _)| keep_both(at, is_near));
+        } else {
+            is_near.extend(self.spots.windows(2).map(|ends| lines.may_meet([&ends[0], &ends[1]])));
+            is_near.extend(self.spots.last().map(|last| lines.may_meet([last, &self.spots[0]])));
+            let least = self.spots.iter().map(|spot| spot.extent[2]).fold(f64::INFINITY, less);
+            let lowest = self.spots.iter().enumerate().filter(|(_, spot)| spot.extent[0] <= least);
+            lowest.for_each(|(at, _)| keep_both(at, is_near));
+        }
     }
 }
 

@@ -59,9 +59,12 @@ pub use chains::Piece;
 pub use contradiction::Contradiction;
 pub use polygon::{Edge, Polygon, Region, Rule};
 pub use result::Regions;
+pub use sides::Lines;
 
+use along::OnSegments;
 use chains::Chains;
 use far::Run;
+use meet::Meetings;
 use nest::Pieces;
 use reach::Reach;
 use supports::{Label, Supports};
@@ -143,6 +146,20 @@ pub fn arrange(session: &mut dyn Predicates, edges: &[Edge], method: Method) -> 
     let edges: Vec<(Edge, usize)> = edges.iter().map(|&edge| (edge, 0)).collect();
     let supports = Supports::new(&*session, &edges, |_| false);
     arranged(session, supports, Vec::new(), method)
+}
+
+/// Constructs the crossings that [`arrange`] constructs, and nothing else.
+///
+/// # Errors
+/// As [`arrange`].
+///
+/// # Panics
+/// As [`arrange`].
+pub fn cross(session: &mut dyn Predicates, edges: &[Edge], method: Method) -> Result<(), Refused> {
+    let edges: Vec<(Edge, usize)> = edges.iter().map(|&edge| (edge, 0)).collect();
+    let supports = Supports::new(&*session, &edges, |_| false);
+    let (reach, _, meetings, _) = met(session, &supports, method)?;
+    OnSegments::new(session, &supports, &reach, meetings).map(|_| ())
 }
 
 /// Computes the overlay of two polygons.
@@ -247,15 +264,7 @@ fn arranged(
     runs: Vec<Run>,
     method: Method,
 ) -> Result<Arrangement, Refused> {
-    let reach = Reach::new(&*session, &supports);
-    let mut raster = None;
-    let (meetings, mut broken) = match method {
-        Method::Grid => {
-            let raster = raster.insert(Raster::new(&reach.raw));
-            (cells::meetings(session, raster, &reach, &supports.ends)?, None)
-        }
-        Method::Sweep => sweep::meetings(session, &supports.ends)?,
-    };
+    let (reach, raster, meetings, mut broken) = met(session, &supports, method)?;
     let chains = Chains::new(session, &supports, &reach, meetings, runs)?;
     broken = broken.or(chains.broken);
     let pieces = Pieces::new(&*session, &supports, &chains);
@@ -267,6 +276,26 @@ fn arranged(
     }
     let Chains { nodes, first, along, pieces, runs, .. } = chains;
     Ok(Arrangement { vertices: nodes, segments: supports.ends, along, first, pieces, runs, subdivision, broken })
+}
+
+/// The parts of segments, the grid if there is one, what meets, and the first rule that signs break.
+fn met(
+    session: &mut dyn Predicates,
+    supports: &Supports,
+    method: Method,
+) -> Result<(Reach, Option<Raster>, Meetings, Option<Contradiction>), Refused> {
+    let reach = Reach::new(&*session, supports);
+    match method {
+        Method::Grid => {
+            let raster = Raster::new(&reach.raw);
+            let meetings = cells::meetings(session, &raster, &reach, &supports.ends)?;
+            Ok((reach, Some(raster), meetings, None))
+        }
+        Method::Sweep => {
+            let (meetings, broken) = sweep::meetings(session, &supports.ends)?;
+            Ok((reach, None, meetings, broken))
+        }
+    }
 }
 
 /// An index as it is stored: all counts here are below 2^32.

@@ -89,8 +89,9 @@ impl Reach {
     }
 }
 
+/// The box of two points.
 #[inline]
-fn extent([a, b]: &[[f64; 2]; 2]) -> Extent {
+pub(super) fn extent([a, b]: &[[f64; 2]; 2]) -> Extent {
     [a[0].min(b[0]), a[1].min(b[1]), a[0].max(b[0]), a[1].max(b[1])]
 }
 

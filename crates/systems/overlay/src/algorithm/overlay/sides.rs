@@ -12,18 +12,23 @@
 
 use predicament_predicates::{Plane, Predicates, Vertex};
 
-use super::polygon::Polygon;
-use super::reach::{Extent, edge_extent, place};
+use super::polygon::{Edge, Polygon};
+use super::reach::{Extent, edge_extent, extent, place};
 
 /// The maximum number of lines: each has a bit of a mask. Polygons of more edges are compared by their box.
 const MOST: usize = 32;
+
+/// The number of consecutive edges that are compared together first.
+const TOGETHER: usize = 16;
 
 /// The box that contains nothing.
 pub(super) const NOTHING: Extent = [f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY];
 
 /// The smallest box that contains two boxes.
 pub(super) fn joined(all: Extent, one: Extent) -> Extent {
-    [all[0].min(one[0]), all[1].min(one[1]), all[2].max(one[2]), all[3].max(one[3])]
+    // (Not `f64::min`, which looks for NaN.)
+    let [low, high] = [|x: f64, y: f64| if x < y { x } else { y }, |x: f64, y: f64| if x > y { x } else { y }];
+    [low(all[0], one[0]), low(all[1], one[1]), high(all[2], one[2]), high(all[3], one[3])]
 }
 
 /// True if two closed boxes have a point in common.
@@ -32,7 +37,14 @@ pub(super) fn meets(one: &Extent, other: &Extent) -> bool {
     (one[0] <= other[2]) & (other[0] <= one[2]) & (one[1] <= other[3]) & (other[1] <= one[3])
 }
 
+/// A box that contains all within a distance of a box along each axis.
+fn widened(extent: Extent, by: [f64; 2]) -> Extent {
+    let [low, high] = [[extent[0] - by[0], extent[1] - by[1]], [extent[2] + by[0], extent[3] + by[1]]];
+    [low[0].next_down(), low[1].next_down(), high[0].next_up(), high[1].next_up()]
+}
+
 /// A vertex by its position, within an error.
+#[derive(Clone, Copy)]
 pub(super) struct Spot {
     at: [f64; 2],
     error: [f64; 2],
@@ -41,48 +53,81 @@ pub(super) struct Spot {
 }
 
 impl Spot {
+    /// A vertex at a point.
+    #[inline]
+    pub fn at(at: [f64; 2]) -> Spot {
+        Spot { at, error: [0.0; 2], extent: [at[0], at[1], at[0], at[1]] }
+    }
+
+    /// All points of the box of some points.
+    fn of_all<'p>(points: impl Iterator<Item = &'p [f64; 2]>) -> Spot {
+        let extent = points.fold(NOTHING, |all, &[x, y]| joined(all, [x, y, x, y]));
+        // Four roundings, each of less than 2^-52 of the magnitude.
+        let error = |low: f64, high: f64| (high - low) / 2.0 + 4.0 * f64::EPSILON * (low.abs() + high.abs());
+        Spot {
+            at: [extent[0].midpoint(extent[2]), extent[1].midpoint(extent[3])],
+            error: [error(extent[0], extent[2]), error(extent[1], extent[3])],
+            extent,
+        }
+    }
+
     pub fn new(session: &dyn Predicates, v: Vertex) -> Spot {
         let known = place(session, v).filter(|(at, error)| at.iter().chain(error).all(|x| x.is_finite()));
         let Some((at, error)) = known else {
             let [far, near] = [f64::INFINITY, f64::NEG_INFINITY];
             return Spot { at: [0.0; 2], error: [far; 2], extent: [near, near, far, far] };
         };
-        let extent = if v.is_constructed() {
-            let ends = [0, 1].map(|axis: usize| [at[axis] - error[axis], at[axis] + error[axis]]);
-            [ends[0][0].next_down(), ends[1][0].next_down(), ends[0][1].next_up(), ends[1][1].next_up()]
-        } else {
-            [at[0], at[1], at[0], at[1]]
-        };
-        Spot { at, error, extent }
+        if !v.is_constructed() {
+            return Spot::at(at);
+        }
+        Spot { at, error, extent: widened([at[0], at[1], at[0], at[1]], error) }
     }
 }
 
 /// The edges of a polygon, to tell what is apart from them.
-pub(super) struct Lines {
+#[derive(Clone, PartialEq, Debug)]
+pub struct Lines {
     /// The box of all edges.
-    pub bounds: Extent,
+    pub(super) bounds: Extent,
     /// Empty if there are more than [`MOST`].
     lines: Vec<Line>,
 }
 
+#[derive(Clone, PartialEq, Debug)]
 struct Line {
     start: [f64; 2],
     along: [f64; 2],
+    /// A part of the bound of every determinant.
+    slack: f64,
     /// The box of the edge.
     extent: Extent,
 }
 
 impl Lines {
-    pub fn new(session: &dyn Predicates, polygon: &Polygon) -> Lines {
+    /// The lines of some segments, where all within a distance along each axis counts as the segment.
+    #[must_use]
+    pub fn around(segments: &[[[f64; 2]; 2]], distance: f64) -> Lines {
+        let widened = |segment| widened(extent(segment), [distance; 2]);
+        Lines::collected(segments.iter().map(|segment| (*segment, widened(segment))), distance)
+    }
+
+    pub(super) fn new(session: &dyn Predicates, polygon: &Polygon) -> Lines {
         let scene = session.scene();
+        let ends = |edge: &Edge| edge.support.map(|v| scene.point2(Plane::Xy, v));
+        let edges = polygon.loops.iter().flatten();
+        Lines::collected(edges.map(|edge| (ends(edge), edge_extent(session, *edge))), 0.0)
+    }
+
+    /// Lines through two points each, with the box of the part that is an edge.
+    fn collected(edges: impl Iterator<Item = ([[f64; 2]; 2], Extent)>, distance: f64) -> Lines {
         let mut bounds = NOTHING;
         let mut lines = Vec::new();
-        for &edge in polygon.loops.iter().flatten() {
-            let extent = edge_extent(session, edge);
+        for ([a, b], extent) in edges {
             bounds = joined(bounds, extent);
             if lines.len() <= MOST {
-                let [a, b] = edge.support.map(|v| scene.point2(Plane::Xy, v));
-                lines.push(Line { start: a, along: [b[0] - a[0], b[1] - a[1]], extent });
+                let along = [b[0] - a[0], b[1] - a[1]];
+                let slack = 1.001 * (along[0].abs() + along[1].abs()) * distance + f64::MIN_POSITIVE;
+                lines.push(Line { start: a, along, slack, extent });
             }
         }
         if lines.len() > MOST {
@@ -91,9 +136,39 @@ impl Lines {
         Lines { bounds, lines }
     }
 
-    /// True if the edge between two vertices may meet the polygon's edges.
+    /// Finds the edges of a closed loop that may meet one of the segments: appends true or false for each edge.
+    pub fn near_edges(&self, ring: &[[f64; 2]], is_near: &mut Vec<bool>) {
+        let Some(first) = ring.first() else { return };
+        // Most edges are far from all segments, and are so together with their neighbours.
+        for start in (0..ring.len()).step_by(TOGETHER) {
+            let end = ring.len().min(start + TOGETHER);
+            let after = ring.get(end).unwrap_or(first);
+            let spot = Spot::of_all(ring[start..end].iter().chain([after]));
+            if !self.may_meet([&spot, &spot]) {
+                is_near.resize(is_near.len() + end - start, false);
+                continue;
+            }
+            let mut from = Spot::at(ring[start]);
+            for to in ring[start + 1..end].iter().chain([after]) {
+                let to = Spot::at(*to);
+                is_near.push(self.may_meet([&from, &to]));
+                from = to;
+            }
+        }
+    }
+
+    /// Finds the points that may be on one of the segments; appends their indices.
+    pub fn near_points(&self, points: &[[f64; 2]], found: &mut Vec<usize>) {
+        let is_near = |point: &[f64; 2]| {
+            let spot = Spot::at(*point);
+            self.may_meet([&spot, &spot])
+        };
+        found.extend((0..points.len()).filter(|&at| is_near(&points[at])));
+    }
+
+    /// True if the edge between two vertices may meet one of the edges.
     #[inline]
-    pub fn may_meet(&self, ends: [&Spot; 2]) -> bool {
+    pub(super) fn may_meet(&self, ends: [&Spot; 2]) -> bool {
         let extent = joined(ends[0].extent, ends[1].extent);
         if !meets(&extent, &self.bounds) {
             return false;
@@ -119,7 +194,60 @@ impl Line {
         let determinant = products[0] - products[1];
         let rounding = 1e-15 * (products[0].abs() + products[1].abs());
         let moved = 1.001 * (self.along[0].abs() * spot.error[1] + self.along[1].abs() * spot.error[0]);
-        let bound = rounding + moved + f64::MIN_POSITIVE;
+        let bound = rounding + moved + self.slack;
         i8::from(determinant > bound) - i8::from(determinant < -bound)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Points on a segment, exact for multiples of an eighth.
+    fn on([a, b]: [[f64; 2]; 2]) -> impl Iterator<Item = [f64; 2]> {
+        (0..=8).map(move |part| [0, 1].map(|axis| a[axis] + (b[axis] - a[axis]) * f64::from(part) / 8.0))
+    }
+
+    #[test]
+    fn edges_and_points_within_the_distance_are_found() {
+        let mut state = 7_u64;
+        let mut below = |bound: u32| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            f64::from(u32::try_from(state >> 33).unwrap() % bound)
+        };
+        let (mut left_out, mut found) = (0, 0);
+        for round in 0..200 {
+            let distance = [0.0, 0.25, 2.0][round % 3];
+            // A ring of short edges, which are compared together, and sometimes long ones.
+            let mut at = [below(64), below(64)];
+            let ring: Vec<[f64; 2]> = (0..40)
+                .map(|_| {
+                    let reach = if below(20) == 0.0 { 65 } else { 5 };
+                    at = at.map(|x| x + below(reach) - f64::from(reach / 2));
+                    at
+                })
+                .collect();
+            let count = [1, 4, 40][round % 3];
+            let segments: Vec<[[f64; 2]; 2]> = (0..count).map(|_| [(); 2].map(|()| [below(64), below(64)])).collect();
+            let lines = Lines::around(&segments, distance);
+            let is_close = |p: [f64; 2]| {
+                let apart = |q: [f64; 2]| (p[0] - q[0]).abs().max((p[1] - q[1]).abs());
+                segments.iter().any(|&segment| on(segment).any(|q| apart(q) <= distance))
+            };
+            let mut is_near = Vec::new();
+            lines.near_edges(&ring, &mut is_near);
+            assert_eq!(is_near.len(), ring.len());
+            for (at, is_near) in is_near.into_iter().enumerate() {
+                let edge = [ring[at], ring[(at + 1) % ring.len()]];
+                let is_close = on(edge).any(is_close);
+                assert!(is_near || !is_close, "{edge:?} is within {distance} of {segments:?}");
+                left_out += usize::from(!is_near);
+                found += usize::from(is_close);
+            }
+            let mut points = Vec::new();
+            lines.near_points(&ring, &mut points);
+            assert!((0..ring.len()).all(|at| points.contains(&at) || !is_close(ring[at])));
+        }
+        assert!(left_out > 1000 && found > 200, "{left_out} and {found} of 8000");
     }
 }

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use super::plane::{crossing_against, crossing_estimate, double, turn};
+use super::plane::{crossing_estimate, crossing_pixel, double, turn};
 
 /// A pixel as its centre, in units of pixels: the square from half a unit below to half a unit above along each axis,
 /// without its upper ends.
@@ -39,46 +39,10 @@ pub fn pixel_of_crossing(first: [[f64; 2]; 2], second: [[f64; 2]; 2]) -> Option<
     let mut pixel = [0; 2];
     for (axis, index) in pixel.iter_mut().enumerate() {
         let within = [estimate[axis] - wrong[axis], estimate[axis] + wrong[axis]];
-        if within.iter().all(|x| x.abs() < SIDES) && nearest(within[0]) == nearest(within[1]) {
-            *index = nearest(within[0]);
-            continue;
+        if within.iter().any(|x| x.is_nan() || x.abs() >= SIDES) || nearest(within[0]) != nearest(within[1]) {
+            return crossing_pixel(first, second);
         }
-        // The crossing is on both segments, so it is within their ranges.
-        let reach = |s: [[f64; 2]; 2]| [s[0][axis].min(s[1][axis]), s[0][axis].max(s[1][axis])];
-        let [r, s] = [reach(first), reach(second)];
-        let [mut low, mut high] = [nearest(r[0].max(s[0])), nearest(r[1].min(s[1]))];
-        let against = |i: i64| crossing_against(first, second, axis, double(i) - 0.5);
-        // From the estimate outwards in growing steps, then by bisection: low ≤ index ≤ high.
-        let guess =
-            if estimate[axis].is_finite() && estimate[axis].abs() < SIDES { nearest(estimate[axis]) } else { low };
-        let guess = guess.clamp(low, high.max(low));
-        let mut step = 1;
-        if against(guess)? == Ordering::Less {
-            high = guess - 1;
-            while high > low && high - step > low {
-                if against(high - step)? != Ordering::Less {
-                    low = high - step;
-                    break;
-                }
-                high -= step + 1;
-                step *= 2;
-            }
-        } else {
-            low = guess;
-            while low + step <= high {
-                if against(low + step)? == Ordering::Less {
-                    high = low + step - 1;
-                    break;
-                }
-                low += step;
-                step *= 2;
-            }
-        }
-        while low < high {
-            let middle = low + (high - low + 1) / 2;
-            if against(middle)? == Ordering::Less { high = middle - 1 } else { low = middle }
-        }
-        *index = low;
+        *index = nearest(within[0]);
     }
     Some(pixel)
 }

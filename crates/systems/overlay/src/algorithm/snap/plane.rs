@@ -4,6 +4,7 @@ use std::cmp::Ordering;
 use std::ops::SubAssign;
 
 use predicament_arithmetic::Scaled;
+use rug::ops::DivRounding;
 
 type Point = [f64; 2];
 
@@ -36,9 +37,11 @@ fn difference<T: Clone + for<'t> SubAssign<&'t T>>(a: &T, b: &T) -> T {
     difference
 }
 
-/// Compares a coordinate of the crossing of two lines with a value; `None` for parallel lines.
-pub fn crossing_against([a, b]: [Point; 2], [c, d]: [Point; 2], axis: usize, value: f64) -> Option<Ordering> {
-    let [a, b, c, d, v] = Scaled::new([a, b, c, d, [value; 2]]).expect("finite points").integers;
+/// The nearest integers to the coordinates of the crossing of two segments: each is the i with i − 1/2 ≤ x < i + 1/2.
+///
+/// `None` for parallel lines.
+pub fn crossing_pixel([a, b]: [Point; 2], [c, d]: [Point; 2]) -> Option<[i64; 2]> {
+    let [a, b, c, d, [half, _]] = Scaled::new([a, b, c, d, [0.5; 2]]).expect("finite points").integers;
     let [n, against] = [&a, &b].map(|p| {
         let mut turn = difference(&c[0], &p[0]);
         turn *= difference(&d[1], &p[1]);
@@ -47,16 +50,25 @@ pub fn crossing_against([a, b]: [Point; 2], [c, d]: [Point; 2], axis: usize, val
         turn -= other;
         turn
     });
-    // a + (b − a)·n/m, n = turn(c, d, a), m = n − turn(c, d, b).
+    // a + (b − a)·n/m, n = turn(c, d, a), m = n − turn(c, d, b); a half more, rounded down.
     let m = difference(&n, &against);
-    let parallel = m.cmp0() == Ordering::Equal;
-    let mut sum = difference(&a[axis], &v[axis]);
-    sum *= &m;
-    let mut along = difference(&b[axis], &a[axis]);
-    along *= &n;
-    sum += along;
-    let sign = if m.cmp0() == Ordering::Less { sum.cmp0().reverse() } else { sum.cmp0() };
-    (!parallel).then_some(sign)
+    if m.cmp0() == Ordering::Equal {
+        return None;
+    }
+    let mut pixel = [0; 2];
+    for (axis, index) in pixel.iter_mut().enumerate() {
+        let mut sum = a[axis].clone();
+        sum += &half;
+        sum *= &m;
+        let mut along = difference(&b[axis], &a[axis]);
+        along *= &n;
+        sum += along;
+        let mut unit = m.clone();
+        unit *= &half;
+        unit *= 2;
+        *index = sum.div_floor(unit).to_i64()?;
+    }
+    Some(pixel)
 }
 
 /// An estimate of the crossing of two segments, and an error bound for each coordinate: infinity, if the bound is not
