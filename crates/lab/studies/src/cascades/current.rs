@@ -6,7 +6,7 @@
 use std::collections::HashMap;
 
 use predicament_overlay::algorithm::overlay::{Edge, Polygon, Region, Rule};
-use predicament_predicates::{Plane, Predicates, Scene, SceneError, Vertex};
+use predicament_predicates::{Predicates, Scene, SceneError, Vertex};
 
 use super::cascade::Loop;
 use super::rounded::place;

@@ -15,7 +15,7 @@
 use std::time::Instant;
 
 use predicament_overlay::algorithm::overlay::{Edge, Lines, Method as Search, combine, cross};
-use predicament_overlay::algorithm::snap::{Drawing, Method as Snapping, SnapError, Snapped, snap};
+use predicament_overlay::algorithm::snap::{Drawing, Method as Snapping, Snapped, snap};
 use predicament_predicates::{Construction, Scene, Vertex};
 use predicament_tasks::Contestant;
 
