@@ -231,7 +231,8 @@ impl Grid {
                 cuts[1] += rows;
                 entries = entries.saturating_add((columns + 1).saturating_mul(rows + 1));
             }
-            if (entries <= most && u32::try_from(entries).is_ok()) || cuts == [0, 0] {
+            // One cell has an entry for each segment, which are fewer than 2^32: the loop ends there at the latest.
+            if entries <= most && u32::try_from(entries).is_ok() {
                 return grid;
             }
             let more = usize::from(cuts[1] > cuts[0]);

@@ -252,14 +252,13 @@ fn precede(at: &[i64], from: i64, before: &mut [u64; WORD], keys: &mut Vec<u64>)
     }
 }
 
-/// Does the work of [`add_cell`] for cubes that fit in a word.
+/// Does the work of [`add_cell`] for cubes that fit in a word; none of them covers the cell.
 fn add_few(cubes: &[Cube], edge: i64, cell: Range, scratch: &mut Scratch, mass: &mut Mass) {
     let Scratch { along, before, keys, vertices, .. } = scratch;
     let [x, y, z] = &mut **along;
     if !x.look(cubes, 0, edge, cell[0], before, keys)
         || !y.look(cubes, 1, edge, cell[1], before, keys)
         || !z.look(cubes, 2, edge, cell[2], before, keys)
-        || x.through & y.through & z.through != 0
     {
         return;
     }

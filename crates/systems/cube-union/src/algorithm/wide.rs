@@ -119,7 +119,7 @@ pub(super) fn vertices<O: Order>(order: &O, cubes: u32, faces: [&[Face]; 3], mut
             [owner_a, owner_b].iter().for_each(|owner| others[owner / 64] &= !(1 << (owner % 64)));
             let rivals = extremes(&others).map(|rival| rival.unwrap_or(owner_a));
             let [free_of_one, free_of_other] = rivals.map(|rival| {
-                let is_owner = rival == owner_a || rival == owner_b;
+                let is_owner = rival == owner_a;
                 let rows = z.faces.row(rival).iter().zip(z.own.row(rival));
                 rows.map(move |(met, own)| if is_owner { u64::MAX } else { !met | own })
             });

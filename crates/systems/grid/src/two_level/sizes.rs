@@ -52,7 +52,8 @@ impl Sizes {
                 along(0) * along(1) * along(2)
             };
             let entries: u64 = boxes.par_iter().with_min_len(super::PART).map(entries).sum();
-            if entries <= MOST_ENTRIES * boxes.len() as u64 || coarse == [1; 3] {
+            // One cell has an entry for each box: the loop ends there at the latest.
+            if entries <= MOST_ENTRIES * boxes.len() as u64 {
                 return sizes;
             }
             across /= 2.0;

@@ -120,13 +120,11 @@ fn short(points: &[[f64; 3]; 5]) -> Option<[f64; 3]> {
     let height = |x: [i128; 3]| -> i128 { minus(x, a).iter().zip(&normal).map(|(x, n)| x * n).sum() };
     let [n, m] = [height(p), height(q)];
     let weight = n - m;
-    if weight == 0 {
-        return None;
-    }
     let mut point = [0.0; 3];
     for (axis, x) in point.iter_mut().enumerate() {
         let above = (q[axis] - p[axis]) * n;
-        if above % weight != 0 {
+        // (Without a weight, for a line along the plane, there is no point.)
+        if above.checked_rem(weight)? != 0 {
             return None;
         }
         // Between the coordinates of p and q, if these are on two sides of the plane; otherwise possibly too large.

@@ -258,7 +258,7 @@ impl Chains {
         }
     }
 
-    /// Makes the pieces where edges pass their segments in parts.
+    /// Makes the pieces where edges pass their segments in parts. Consecutive nodes of a chain differ.
     fn cut_parts(&mut self, supports: &Supports, mut node_of: impl FnMut(Vertex) -> u32) {
         self.piece = vec![NONE; self.along.len()];
         let mut sums: Vec<(Label, i32)> = Vec::new();
@@ -283,7 +283,7 @@ impl Chains {
             for at in range.clone().skip(1) {
                 let ends = [self.along[at - 1], self.along[at]];
                 let (label, covers) = sums[at - 1 - range.start];
-                if ends[0] != ends[1] && covers > 0 {
+                if covers > 0 {
                     self.piece[at - 1] = number(self.pieces.len());
                     self.pieces.push(Piece { ends, segment: number(segment), label });
                 }

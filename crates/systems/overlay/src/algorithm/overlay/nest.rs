@@ -146,12 +146,12 @@ impl<'a> Pieces<'a> {
         // On each segment, back and forth.
         let is_through = |[back, forth]: [u32; 2]| back % 2 == 1 && forth.is_multiple_of(2);
         let are_through = is_through([a, b]) && is_through([c, d]);
-        let are_two = first != second && segment(b) == first && segment(d) == second;
-        if !are_through || !are_two || first == NONE || second == NONE {
+        if !are_through || segment(b) != first || segment(d) != second {
             return None;
         }
-        let [mut from, mut to] = self.supports.ends[first as usize];
-        let ends = self.supports.ends[second as usize];
+        // A run has no segment, and the same segment twice has no other end.
+        let [mut from, mut to] = *self.supports.ends.get(first as usize)?;
+        let ends = self.supports.ends.get(second as usize)?;
         let are_ahead = [first, second].map(|segment| self.is_ahead[segment as usize]);
         if !are_ahead[0] {
             (from, to) = (to, from);
@@ -176,7 +176,7 @@ impl<'a> Pieces<'a> {
                 *best = node;
             }
         }
-        leftmost.retain(|&node| node != NONE && !subdivision.leaving(node).is_empty());
+        leftmost.retain(|&node| !subdivision.leaving(node).is_empty());
         sort_by_sign(&mut leftmost, |a, b| self.view.order(self.vertex(a), self.vertex(b)));
         let outside = |node: u32| {
             let halves = subdivision.leaving(node).iter().copied();

@@ -286,21 +286,22 @@ impl Extraction<'_> {
     fn bound(&self, halves: &[u32], region: u32, bounds_at: &[u8]) -> Bound {
         let arrangement = self.arrangement;
         let mut edges: Vec<Edge> = Vec::with_capacity(halves.len());
-        // The line and the direction of the half-edge before; `NONE` for a run, whose edges stay apart.
-        let mut last = (NONE, 0);
+        // The line and the direction of the half-edge before; `None` for a run, whose edges stay apart.
+        let mut last = None;
         for &half in halves {
             let piece = &arrangement.pieces[half as usize / 2];
             let at = half as usize % 2;
-            let line = (piece.segment, at);
             if let Some(run) = (piece.segment == NONE).then(|| arrangement.run(half)).flatten() {
                 if at == 0 {
                     edges.extend(&run.edges);
                 } else {
                     edges.extend(run.edges.iter().rev().map(|edge| edge.reversed()));
                 }
+                last = None;
             } else {
                 let [from, to] = [piece.ends[at], piece.ends[1 - at]];
                 let vertex = |node: u32| arrangement.vertices[node as usize];
+                let line = Some((piece.segment, at));
                 match edges.last_mut() {
                     Some(before) if last == line && bounds_at[from as usize] <= 1 => before.to = vertex(to),
                     _ => {
@@ -308,12 +309,12 @@ impl Extraction<'_> {
                         edges.push(Edge { from: vertex(from), to: vertex(to), support });
                     }
                 }
+                last = line;
             }
-            last = line;
         }
         // The first half-edge may be in the middle of an edge.
         let piece = &arrangement.pieces[halves[0] as usize / 2];
-        let goes_on = last == (piece.segment, halves[0] as usize % 2) && last.0 != NONE;
+        let goes_on = last == Some((piece.segment, halves[0] as usize % 2));
         if edges.len() > 1 && goes_on && bounds_at[arrangement.origin(halves[0]) as usize] <= 1 {
             edges[0].from = edges[edges.len() - 1].from;
             edges.pop();

@@ -91,9 +91,6 @@ fn built(pixels: &[Pixel], range: &mut [u32]) -> Vec<[Pixel; 2]> {
 }
 
 fn build(pixels: &[Pixel], range: &mut [u32], boxes: &mut Vec<[Pixel; 2]>, node: usize) {
-    if range.is_empty() {
-        return;
-    }
     if boxes.len() <= node {
         boxes.resize(node + 1, [[0; 2]; 2]);
     }
