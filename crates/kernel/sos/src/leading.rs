@@ -201,8 +201,9 @@ pub(crate) fn orient3d<const SCHEME: usize>(exact: &Exact, points: Points, args:
     decided.map_or_else(|from| deep::<SCHEME, ORIENT3D, 3, 4>(exact, points.solid, args, (is_exact, from)), Some)
 }
 
-/// Breaks a tie of `orient3d` by the leading terms if doubles make no error; `None` if all of them are zero, a vertex is
-/// not an input vertex, or the smallest vertex occurs twice.
+/// Breaks a tie of `orient3d` by the leading terms if doubles make no error.
+///
+/// `None` if all of them are zero, a vertex is not an input vertex, or the smallest vertex occurs twice.
 #[inline(always)]
 pub(crate) fn turns_of<const SCHEME: usize>(points: &[[f64; 3]], args: [Vertex; 4]) -> Decided {
     let [_, p, q, r] = smallest_first(args)?;

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::time::Instant;
 
 use predicament_judge::{point, rational};
-use predicament_overlay::algorithm::overlay::{Edge, Method as Search, Polygon, Region, Rule, combine};
+use predicament_overlay::algorithm::overlay::{Edge, Known, Method as Search, Polygon, Region, Rule, combine_next};
 use predicament_overlay::checks::overlay::{Point, Shape};
 use predicament_predicates::{Plane, Predicates, Vertex};
 use predicament_tasks::Contestant;
@@ -32,10 +32,11 @@ fn follow(
     steps: &[Operand],
     then: &mut Then<'_>,
 ) -> Result<(), End> {
+    let mut known = Known::default();
     for (step, operand) in steps.iter().zip(operands) {
         let before = session.scene().constructions().len();
         let clock = Instant::now();
-        let result = combine(session, &current, operand, step.operation, Search::Grid)?;
+        let result = combine_next(session, &mut known, &current, operand, step.operation, Search::Grid)?;
         let elapsed = clock.elapsed();
         current = result.regions;
         let regions = || -> Vec<Vec<Vec<Vertex>>> {

@@ -13,7 +13,7 @@ use predicament_predicates::{Dimension, Predicates, Scene, Vertex};
 
 use super::polygon::{Edge, Polygon, Region};
 use super::reach::Extent;
-use super::sides::{Lines, NOTHING, Spot, joined, meets};
+use super::sides::{Known, Lines, NOTHING, Spot, joined, meets};
 
 /// Consecutive edges of a loop that meet nothing else.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -43,11 +43,11 @@ pub(super) struct Split {
 }
 
 /// Divides a result by the edges of a polygon.
-pub(super) fn split(session: &dyn Predicates, first: &[Region], second: &Polygon) -> Split {
+pub(super) fn split(session: &dyn Predicates, known: &mut Known, first: &[Region], second: &Polygon) -> Split {
     let lines = Lines::new(session, second);
     let mut split = Split::default();
     let touched = Touched::new(session.scene(), first);
-    let mut chart = Chart::new(session);
+    let mut chart = Chart::new(session, known);
     let mut is_near = Vec::new();
     for region in first {
         if !meets(&chart.enter(&region.outer), &lines.bounds) {
@@ -72,6 +72,7 @@ pub(super) fn split(session: &dyn Predicates, first: &[Region], second: &Polygon
 /// The positions of a loop's vertices.
 struct Chart<'a> {
     session: &'a dyn Predicates,
+    known: &'a mut Known,
     /// The points of the scene if it has nothing else; then positions are points.
     points: Option<&'a [[f64; 2]]>,
     at: Vec<[f64; 2]>,
@@ -79,11 +80,11 @@ struct Chart<'a> {
 }
 
 impl<'a> Chart<'a> {
-    fn new(session: &'a dyn Predicates) -> Chart<'a> {
+    fn new(session: &'a dyn Predicates, known: &'a mut Known) -> Chart<'a> {
         let scene = session.scene();
         let are_points = scene.dimension() == Dimension::Two && scene.constructions().is_empty();
         let points = are_points.then(|| scene.coordinates().as_chunks().0);
-        Chart { session, points, at: Vec::new(), spots: Vec::new() }
+        Chart { session, known, points, at: Vec::new(), spots: Vec::new() }
     }
 
     /// Enters a loop; returns its box.
@@ -96,7 +97,8 @@ impl<'a> Chart<'a> {
                 self.at.iter().fold(NOTHING, |all, &[x, y]| joined(all, [x, y, x, y]))
             }
             None => {
-                self.spots.extend(one.iter().map(|edge| Spot::new(self.session, edge.from)));
+                let Chart { session, known, .. } = self;
+                self.spots.extend(one.iter().map(|edge| known.spot(*session, edge.from)));
                 self.spots.iter().map(|spot| spot.extent).fold(NOTHING, joined)
             }
         }
@@ -111,8 +113,7 @@ impl<'a> Chart<'a> {
             let lowest = self.at.iter().enumerate().filter(|(_, point)| point[0] <= least);
             lowest.for_each(|(at, _)| keep_both(at, is_near));
         } else {
-            is_near.extend(self.spots.windows(2).map(|ends| lines.may_meet([&ends[0], &ends[1]])));
-            is_near.extend(self.spots.last().map(|last| lines.may_meet([last, &self.spots[0]])));
+            lines.near_between(&self.spots, is_near);
             let least = self.spots.iter().map(|spot| spot.extent[2]).fold(f64::INFINITY, less);
             let lowest = self.spots.iter().enumerate().filter(|(_, spot)| spot.extent[0] <= least);
             lowest.for_each(|(at, _)| keep_both(at, is_near));

@@ -59,7 +59,7 @@ pub use chains::Piece;
 pub use contradiction::Contradiction;
 pub use polygon::{Edge, Polygon, Region, Rule};
 pub use result::Regions;
-pub use sides::Lines;
+pub use sides::{Known, Lines};
 
 use along::OnSegments;
 use chains::Chains;
@@ -222,7 +222,25 @@ pub fn combine(
     operation: Operation,
     method: Method,
 ) -> Result<Regions, Refused> {
-    let far::Split { near, runs, apart } = far::split(&*session, first, second);
+    combine_next(session, &mut Known::default(), first, second, operation, method)
+}
+
+/// As [`combine`], for several operations in one session: positions stay known from one to the next.
+///
+/// # Errors
+/// As [`arrange`].
+///
+/// # Panics
+/// As [`arrange`].
+pub fn combine_next(
+    session: &mut dyn Predicates,
+    known: &mut Known,
+    first: &[Region],
+    second: &Polygon,
+    operation: Operation,
+    method: Method,
+) -> Result<Regions, Refused> {
+    let far::Split { near, runs, apart } = far::split(&*session, known, first, second);
     let edges = near.into_iter().map(|edge| (edge, 0));
     let edges = edges.chain(second.loops.iter().flatten().map(|&edge| (edge, 1))).collect();
     let made = overlaid(session, edges, runs, [Rule::NonZero, second.rule], method)?;

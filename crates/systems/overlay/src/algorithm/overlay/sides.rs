@@ -59,9 +59,9 @@ impl Spot {
         Spot { at, error: [0.0; 2], extent: [at[0], at[1], at[0], at[1]] }
     }
 
-    /// All points of the box of some points.
-    fn of_all<'p>(points: impl Iterator<Item = &'p [f64; 2]>) -> Spot {
-        let extent = points.fold(NOTHING, |all, &[x, y]| joined(all, [x, y, x, y]));
+    /// All points of the box of some boxes.
+    fn of_all(extents: impl Iterator<Item = Extent>) -> Spot {
+        let extent = extents.fold(NOTHING, joined);
         // Four roundings, each of less than 2^-52 of the magnitude.
         let error = |low: f64, high: f64| (high - low) / 2.0 + 4.0 * f64::EPSILON * (low.abs() + high.abs());
         Spot {
@@ -81,6 +81,21 @@ impl Spot {
             return Spot::at(at);
         }
         Spot { at, error, extent: widened([at[0], at[1], at[0], at[1]], error) }
+    }
+}
+
+/// The positions of constructed vertices, which do not change while a session constructs others.
+#[derive(Default)]
+pub struct Known(Vec<Option<Spot>>);
+
+impl Known {
+    /// The position of a vertex.
+    pub(super) fn spot(&mut self, session: &dyn Predicates, v: Vertex) -> Spot {
+        let Some(at) = v.construction() else { return Spot::new(session, v) };
+        if at >= self.0.len() {
+            self.0.resize(at + 1, None);
+        }
+        *self.0[at].get_or_insert_with(|| Spot::new(session, v))
     }
 }
 
@@ -138,19 +153,29 @@ impl Lines {
 
     /// Finds the edges of a closed loop that may meet one of the segments: appends true or false for each edge.
     pub fn near_edges(&self, ring: &[[f64; 2]], is_near: &mut Vec<bool>) {
+        self.near(ring, |&at| Spot::at(at), is_near);
+    }
+
+    /// As [`Lines::near_edges`], for vertices.
+    pub(super) fn near_between(&self, ring: &[Spot], is_near: &mut Vec<bool>) {
+        self.near(ring, |&spot| spot, is_near);
+    }
+
+    #[inline]
+    fn near<T>(&self, ring: &[T], spot: impl Fn(&T) -> Spot, is_near: &mut Vec<bool>) {
         let Some(first) = ring.first() else { return };
         // Most edges are far from all segments, and are so together with their neighbours.
         for start in (0..ring.len()).step_by(TOGETHER) {
             let end = ring.len().min(start + TOGETHER);
             let after = ring.get(end).unwrap_or(first);
-            let spot = Spot::of_all(ring[start..end].iter().chain([after]));
-            if !self.may_meet([&spot, &spot]) {
+            let all = Spot::of_all(ring[start..end].iter().chain([after]).map(|one| spot(one).extent));
+            if !self.may_meet([&all, &all]) {
                 is_near.resize(is_near.len() + end - start, false);
                 continue;
             }
-            let mut from = Spot::at(ring[start]);
+            let mut from = spot(&ring[start]);
             for to in ring[start + 1..end].iter().chain([after]) {
-                let to = Spot::at(*to);
+                let to = spot(to);
                 is_near.push(self.may_meet([&from, &to]));
                 from = to;
             }
