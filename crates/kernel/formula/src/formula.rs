@@ -52,6 +52,13 @@ pub struct Swap {
     pub turns: bool,
 }
 
+/// Two arguments whose exchange changes at most the sign of a predicate.
+#[derive(Debug)]
+struct Exchange {
+    pair: [usize; 2],
+    turns: bool,
+}
+
 /// Lists of terms that were derived before.
 type Known<K> = RwLock<BTreeMap<K, Arc<Terms>>>;
 
@@ -68,6 +75,7 @@ pub struct Formula {
     bits: Bits,
     compiled: Option<Compiled>,
     swaps: OnceLock<Vec<Swap>>,
+    exchanges: OnceLock<Vec<Exchange>>,
     terms: Known<(Order, Vec<usize>)>,
     moved: Known<Vec<bool>>,
 }
@@ -110,7 +118,8 @@ impl Formula {
         let filter = Filter::of(&program).map_err(&refuse)?;
         let bits = Bits::of_program(&program, polynomial.is_homogeneous());
         let compiled = Compiled::of(&definition, dimension);
-        let (swaps, terms, moved) = (OnceLock::new(), RwLock::default(), RwLock::default());
+        let (swaps, exchanges) = (OnceLock::new(), OnceLock::new());
+        let (terms, moved) = (RwLock::default(), RwLock::default());
         Ok(Formula {
             definition,
             syntax,
@@ -122,6 +131,7 @@ impl Formula {
             bits,
             compiled,
             swaps,
+            exchanges,
             terms,
             moved,
         })
@@ -214,20 +224,46 @@ impl Formula {
     /// All permutations of the arguments, other than the identity, that keep or turn the sign.
     pub fn swaps(&self) -> &[Swap] {
         self.swaps.get_or_init(|| {
-            let (negated, count) = (self.polynomial.negated(), self.coordinates());
-            let swap = |to: Vec<usize>| {
-                let renamed = self.polynomial.mapped(|exponents| {
-                    let mut renamed = vec![0; exponents.len()];
-                    for (at, &exponent) in exponents.iter().enumerate() {
-                        renamed[to[at / count] * count + at % count] = exponent;
-                    }
-                    Some(renamed)
-                });
-                let turns = renamed.as_ref() == Some(&negated);
-                (turns || renamed.as_ref() == Some(&self.polynomial)).then_some(Swap { to, turns })
-            };
+            let negated = self.polynomial.negated();
+            let swap = |to: Vec<usize>| Some(Swap { turns: self.turns(&to, &negated)?, to });
             permutations(self.arity()).into_iter().skip(1).filter_map(swap).collect()
         })
+    }
+
+    /// True if a permutation of the arguments turns the sign, false if it keeps the sign, `None` if it does neither.
+    fn turns(&self, to: &[usize], negated: &Polynomial) -> Option<bool> {
+        let count = self.coordinates();
+        let renamed = self.polynomial.mapped(|exponents| {
+            let mut renamed = vec![0; exponents.len()];
+            for (at, &exponent) in exponents.iter().enumerate() {
+                renamed[to[at / count] * count + at % count] = exponent;
+            }
+            Some(renamed)
+        })?;
+        if renamed == *negated { Some(true) } else { (renamed == self.polynomial).then_some(false) }
+    }
+
+    /// Sorts arguments as far as exchanges of two keep or turn the sign; returns true if the order found turns it.
+    pub fn sort<T>(&self, arguments: &mut [T], precedes: impl Fn(&T, &T) -> bool) -> bool {
+        let exchanges = self.exchanges.get_or_init(|| {
+            let (negated, n) = (self.polynomial.negated(), self.arity());
+            let exchange = |[i, j]: [usize; 2]| {
+                let mut to: Vec<usize> = (0..n).collect();
+                to.swap(i, j);
+                Some(Exchange { pair: [i, j], turns: self.turns(&to, &negated)? })
+            };
+            (0..n).flat_map(|i| (i + 1..n).map(move |j| [i, j])).filter_map(exchange).collect()
+        });
+        let mut turned = false;
+        // Exchanges come by their first place. If two of them share a place, their other places can be exchanged, too:
+        // so each place gets the first of all arguments that can come to it.
+        for &Exchange { pair: [i, j], turns } in exchanges {
+            if precedes(&arguments[j], &arguments[i]) {
+                arguments.swap(i, j);
+                turned ^= turns;
+            }
+        }
+        turned
     }
 
     /// Returns true if the value is a multiple of the determinant of the arguments, taken as vectors from the origin.

@@ -1,4 +1,7 @@
 //! Ties of predicates from formulas: the terms that the formula derives, evaluated in exact numbers until one decides.
+//!
+//! Arguments that the formula lets change places are sorted first: terms take long to derive, and there is one list for
+//! each order of the arguments.
 
 use predicament_predicates::formula::{Order, Terms, exact};
 use predicament_predicates::{Derived, Scene, Sign, Vertex};
@@ -17,8 +20,10 @@ pub(crate) fn tie(scheme: Scheme, scene: &Scene, derived: Derived, vertices: &[V
         Scheme::PerCoordinate => Order::FirstLargest,
         Scheme::EdelsbrunnerMucke => Order::LastLargest,
     };
-    let terms = derived.formula().terms(&Derived::ranks(vertices), order);
-    first(&terms.unwrap_or_else(|why| panic!("{why}")), scene, derived, vertices)
+    let (formula, mut vertices) = (derived.formula(), vertices.to_vec());
+    let turns = formula.sort(&mut vertices, |a, b| a.index() < b.index());
+    let terms = formula.terms(&Derived::ranks(&vertices), order);
+    first(&terms.unwrap_or_else(|why| panic!("{why}")), scene, derived, &vertices, turns)
 }
 
 /// The sign of a tie if the second mesh moves by (ε, ε², ε³), and the place of the deciding power.
@@ -28,15 +33,19 @@ pub(crate) fn moved_tie(
     derived: Derived,
     vertices: &[Vertex],
 ) -> Option<(Sign, usize)> {
-    let moves: Vec<bool> = vertices.iter().map(|v| second.get(v.index()).copied().unwrap_or(false)).collect();
-    let terms = derived.formula().moved_terms(&moves);
-    first(&terms.unwrap_or_else(|why| panic!("{why}")), scene, derived, vertices)
+    let (formula, mut vertices) = (derived.formula(), vertices.to_vec());
+    let moves = |v: &Vertex| second.get(v.index()).copied().unwrap_or(false);
+    let turns = formula.sort(&mut vertices, |a, b| !moves(a) && moves(b));
+    let terms = formula.moved_terms(&vertices.iter().map(moves).collect::<Vec<bool>>());
+    first(&terms.unwrap_or_else(|why| panic!("{why}")), scene, derived, &vertices, turns)
 }
 
-fn first(terms: &Terms, scene: &Scene, derived: Derived, vertices: &[Vertex]) -> Option<(Sign, usize)> {
+/// The sign of the first term that is not zero, and its place; `turns` if the order of the vertices turns the sign.
+fn first(terms: &Terms, scene: &Scene, derived: Derived, vertices: &[Vertex], turns: bool) -> Option<(Sign, usize)> {
     derived.with_points(scene, vertices, |points| {
         let signs = terms.programs().iter().map(|program| Sign::from(exact::dyadic(program, points)));
-        signs.zip(0..).find(|(sign, _)| !sign.is_zero())
+        let (sign, place) = signs.zip(0..).find(|(sign, _)| !sign.is_zero())?;
+        Some((if turns { -sign } else { sign }, place))
     })
 }
 

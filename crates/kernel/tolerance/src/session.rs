@@ -30,9 +30,12 @@ pub struct Session<'s, T, F = f64> {
     tally: T,
     tolerances: Tolerances<F>,
     form: EdgeVertex,
-    /// The band of the first formula that the session was asked about.
-    known: OnceLock<(Derived, Result<Band, Declined>)>,
+    /// The bands of the first formulas that the session was asked about.
+    known: [OnceLock<(Derived, Result<Band, Declined>)>; KEPT],
 }
+
+/// The number of formulas of a scene whose bands are kept; the band of another formula is derived for each query.
+const KEPT: usize = 16;
 
 /// The tolerances of a scene, or the reason why it has none.
 #[derive(Clone, Debug)]
@@ -138,7 +141,7 @@ impl<'s, T, F: Float> Session<'s, T, F> {
             Dimension::Three => (&[], scene.coordinates().as_chunks().0),
         };
         let widths = Widths::new(&tolerances, scene.dimension());
-        Session { scene, points2, points3, shifted, widths, tally, tolerances, form, known: OnceLock::new() }
+        Session { scene, points2, points3, shifted, widths, tally, tolerances, form, known: Default::default() }
     }
 }
 
@@ -263,12 +266,9 @@ impl<T, F: Float> Session<'_, T, F> {
 
     /// The band of a predicate from a formula, derived at its first use.
     fn derived(&self, derived: Derived) -> Result<Band, Declined> {
-        let known =
-            self.known.get_or_init(|| (derived, derived::prepared::<F>(self.scene, derived, self.shifted().is_some())));
-        match known {
-            (first, band) if *first == derived => band.clone(),
-            _ => derived::prepared::<F>(self.scene, derived, self.shifted().is_some()),
-        }
+        let prepared = || derived::prepared::<F>(self.scene, derived, self.shifted().is_some());
+        let mut known = self.known.iter().map(|kept| kept.get_or_init(|| (derived, prepared())));
+        known.find(|(owner, _)| *owner == derived).map_or_else(prepared, |(_, band)| band.clone())
     }
 
     /// The band of the predicate for circles that scenes of `dimension` have.

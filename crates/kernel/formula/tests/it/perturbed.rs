@@ -85,6 +85,41 @@ fn ties_are_broken_as_explicit_infinitesimals_break_them() {
     }
 }
 
+/// Arguments that can change places are sorted before terms are derived: the deciding term and its place stay, and the
+/// sign turns as the formula does.
+#[test]
+fn sorted_arguments_have_the_same_terms() {
+    let mut random = Random(11);
+    let formulas = HAND_MADE.into_iter().map(|(_, text, dimension)| (text, dimension));
+    let mut counts = [0; 2];
+    for (text, dimension) in formulas.chain([("sq(p - a) - sq(p - b)", 2), ("det(a - c, b - c) * det(a, b)", 2)]) {
+        let formula = formula(text, dimension);
+        for _ in 0..20 {
+            let mut ranks: Vec<usize> = (0..formula.arity()).collect();
+            for at in (1..ranks.len()).rev() {
+                ranks.swap(at, random.below(at as u64 + 1) as usize);
+            }
+            let mut sorted = ranks.clone();
+            let turns = formula.sort(&mut sorted, |a, b| a < b);
+            counts[usize::from(turns)] += 1;
+            let terms = [&ranks, &sorted].map(|ranks| formula.terms(ranks, Order::FirstLargest).unwrap());
+            assert_eq!(terms[0].programs().len(), terms[1].programs().len(), "{text}: {ranks:?}");
+            let points: Vec<Vec<f64>> = Input::Grid.points(&formula, &mut random);
+            let moved: Vec<Vec<f64>> = sorted
+                .iter()
+                .map(|rank| points[ranks.iter().position(|other| other == rank).unwrap()].clone())
+                .collect();
+            let [given, found] = [(&terms[0], &points), (&terms[1], &moved)].map(|(terms, points)| {
+                let signs = terms.programs().iter().map(|program| exact::dyadic(program, &slices(points)));
+                signs.zip(0..).find(|(sign, _)| sign.is_ne())
+            });
+            let expected = given.map(|(sign, place)| (if turns { sign.reverse() } else { sign }, place));
+            assert_eq!(found, expected, "{text} at {points:?}, {ranks:?}");
+        }
+    }
+    assert!(counts.iter().all(|&count| count > 50), "{counts:?}");
+}
+
 #[test]
 fn every_list_ends_with_a_constant() {
     for (name, text, dimension) in HAND_MADE {
