@@ -74,20 +74,22 @@ pub(crate) fn sign_of_rows<'r>(
         let rows: Vec<_> = args.iter().map(|&v| row(v)).collect();
         return integers::sign_of_rows(&rows, axes(&question), question.kind().is_lifted());
     }
-    scaled(scene, question, args).0.cmp0().into()
+    scaled(scene, question, args, |determinant, _| determinant.cmp0().into())
 }
 
-/// The exact determinant of a query about input vertices: an integer and the exponent of the power of two that scales
-/// it.
-fn scaled(scene: &Scene, question: Question, args: &[Vertex]) -> (Integer, i32) {
+/// Calls a function with the exact determinant of a query about input vertices: an integer, and the exponent of the
+/// power of two that scales it.
+fn scaled<R>(scene: &Scene, question: Question, args: &[Vertex], then: impl FnOnce(&Integer, i32) -> R) -> R {
     let flat = |plane: Plane| move |v| scene.point2(plane, v);
     let solid = |v| scene.point3(v);
     match (question, args) {
-        (Question::Compare(axis), &[a, b]) => integers::scaled([a, b].map(|v| [scene.coordinate(axis, v)]), false),
-        (Question::Orient2d(plane), &[a, b, c]) => integers::scaled([a, b, c].map(flat(plane)), false),
-        (Question::Orient3d, &[a, b, c, d]) => integers::scaled([a, b, c, d].map(solid), false),
-        (Question::Incircle, &[a, b, c, d]) => integers::scaled([a, b, c, d].map(flat(Plane::Xy)), true),
-        (Question::Insphere, &[a, b, c, d, e]) => integers::scaled([a, b, c, d, e].map(solid), true),
+        (Question::Compare(axis), &[a, b]) => {
+            integers::scaled([a, b].map(|v| [scene.coordinate(axis, v)]), false, then)
+        }
+        (Question::Orient2d(plane), &[a, b, c]) => integers::scaled([a, b, c].map(flat(plane)), false, then),
+        (Question::Orient3d, &[a, b, c, d]) => integers::scaled([a, b, c, d].map(solid), false, then),
+        (Question::Incircle, &[a, b, c, d]) => integers::scaled([a, b, c, d].map(flat(Plane::Xy)), true, then),
+        (Question::Insphere, &[a, b, c, d, e]) => integers::scaled([a, b, c, d, e].map(solid), true, then),
         _ => panic!("{} takes {} vertices", question.kind(), question.kind().arity()),
     }
 }
@@ -104,8 +106,7 @@ pub fn is_within(scene: &Scene, question: Question, args: &[Vertex], limit: f64)
     if args.iter().any(|v| v.is_constructed()) {
         return verdict(scene, question, args).determinant.abs() <= rational(limit);
     }
-    let (determinant, exponent) = scaled(scene, question, args);
-    integers::is_at_most(determinant, exponent, limit)
+    scaled(scene, question, args, |determinant, exponent| integers::is_at_most(determinant, exponent, limit))
 }
 
 /// The exact determinant of a query with its permanent.

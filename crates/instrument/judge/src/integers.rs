@@ -5,9 +5,11 @@
 //! reduction.
 
 use std::borrow::Cow;
+use std::cell::RefCell;
 
 use predicament_predicates::{Axis, Sign};
-use rug::Integer;
+use rug::ops::NegAssign;
+use rug::{Assign, Integer};
 
 use crate::row::Row;
 use crate::split::split;
@@ -15,40 +17,62 @@ use crate::split::split;
 /// The maximum number of rows of a determinant: spheres have four, of three differences and a lift.
 const MOST: usize = 4;
 
-/// The determinant of the differences to the last point: an integer and the exponent of the power of two that scales
-/// it. If `lifted`, the squared lengths of the differences are the last column.
-pub(super) fn scaled<const D: usize, const N: usize>(points: [[f64; D]; N], lifted: bool) -> (Integer, i32) {
+/// The integers of a computation, kept by each thread: to allocate them takes longer than to multiply.
+#[derive(Default)]
+struct Scratch {
+    /// The coordinates of five points.
+    points: [[Integer; 3]; MOST + 1],
+    rows: [[Integer; MOST]; MOST],
+    minors: [Integer; 1 << MOST],
+}
+
+thread_local! {
+    static SCRATCH: RefCell<Scratch> = RefCell::default();
+}
+
+/// Calls a function with the determinant of the differences to the last point: an integer and the exponent of the power
+/// of two that scales it. If `lifted`, the squared lengths of the differences are the last column.
+pub(super) fn scaled<const D: usize, const N: usize, R>(
+    points: [[f64; D]; N],
+    lifted: bool,
+    then: impl FnOnce(&Integer, i32) -> R,
+) -> R {
     let columns = D + usize::from(lifted);
     assert!(columns == N - 1 && columns <= MOST, "as many rows as columns, and no more than there is room for");
     let lowest = points.as_flattened().iter().filter(|&&x| x != 0.0).map(|&x| split(x).1).min().unwrap_or(0);
-    let points = points.map(|point| point.map(|x| integer(x, lowest)));
-    let mut rows: [[Integer; MOST]; MOST] = Default::default();
-    for (row, point) in rows.iter_mut().zip(&points[..N - 1]) {
-        for axis in 0..D {
-            let difference = Integer::from(&point[axis] - &points[N - 1][axis]);
-            if lifted {
-                row[D] += &difference * &difference;
-            }
-            row[axis] = difference;
-        }
-    }
     // One factor of the unit per column, and one more for the column of squares.
     let degree = i32::try_from(columns + usize::from(lifted)).expect("five at most");
-    (determinant(&rows, columns), lowest * degree)
+    SCRATCH.with_borrow_mut(|Scratch { points: wholes, rows, minors }| {
+        for (whole, point) in wholes.iter_mut().zip(&points) {
+            whole.iter_mut().zip(point).for_each(|(whole, &x)| assign(whole, x, lowest));
+        }
+        let (others, last) = wholes[..N].split_at(N - 1);
+        for (row, point) in rows.iter_mut().zip(others) {
+            row[D..columns].iter_mut().for_each(|lift| lift.assign(0));
+            for axis in 0..D {
+                row[axis].assign(&point[axis] - &last[0][axis]);
+                if lifted {
+                    let (differences, lift) = row.split_at_mut(D);
+                    lift[0] += &differences[axis] * &differences[axis];
+                }
+            }
+        }
+        then(determinant(rows, columns, minors), lowest * degree)
+    })
 }
 
 /// True if |integer|·2^exponent is at most `limit`.
 ///
 /// # Panics
 /// If `limit` is not finite.
-pub(super) fn is_at_most(integer: Integer, exponent: i32, limit: f64) -> bool {
+pub(super) fn is_at_most(integer: &Integer, exponent: i32, limit: f64) -> bool {
     let (significand, of_limit) = split(limit);
     if limit < 0.0 {
         return false;
     }
     // Both sides in units of the smaller power of two.
     let [left, right] = [exponent, of_limit].map(|own| (own - exponent.min(of_limit)).unsigned_abs());
-    integer.abs() << left <= Integer::from(significand) << right
+    Integer::from(integer.abs_ref()) << left <= Integer::from(significand) << right
 }
 
 /// The sign of the same determinant, along these axes, of points that each have one denominator. Each row is multiplied
@@ -73,7 +97,7 @@ pub(super) fn sign_of_rows(points: &[Cow<'_, Row>], axes: &[Axis], lifted: bool)
             }
         }
     }
-    determinant(&rows, columns).cmp0().into()
+    determinant(&rows, columns, &mut Default::default()).cmp0().into()
 }
 
 /// The coordinates of a point as integers, and the power of two that divides them.
@@ -84,34 +108,44 @@ pub(super) fn over_one_denominator(point: &[f64]) -> (Vec<Integer>, Integer) {
 
 /// The determinant by Laplace's expansion, column by column: the minor of each set of k rows in the first k columns is
 /// computed from the minors of the sets with one row less.
-fn determinant(rows: &[[Integer; MOST]; MOST], size: usize) -> Integer {
-    let mut minors: [Integer; 1 << MOST] = Default::default();
-    minors[0] = Integer::from(1);
+fn determinant<'m>(rows: &[[Integer; MOST]; MOST], size: usize, minors: &'m mut [Integer; 1 << MOST]) -> &'m Integer {
+    minors[0].assign(1);
     for set in 1_usize..1 << size {
         let column = set.count_ones() as usize - 1;
-        let mut minor = Integer::new();
+        let (smaller, larger) = minors.split_at_mut(set);
+        let minor = &mut larger[0];
+        minor.assign(0);
         for (above, row) in (0..size).filter(|row| set >> row & 1 == 1).enumerate() {
-            let term = &rows[row][column] * &minors[set ^ 1 << row];
+            let term = &rows[row][column] * &smaller[set ^ 1 << row];
             if (above + column).is_multiple_of(2) {
-                minor += term;
+                *minor += term;
             } else {
-                minor -= term;
+                *minor -= term;
             }
         }
-        minors[set] = minor;
     }
-    std::mem::take(&mut minors[(1 << size) - 1])
+    &minors[(1 << size) - 1]
 }
 
 /// x / 2^`lowest`, which must be an integer.
 fn integer(x: f64, lowest: i32) -> Integer {
+    let mut whole = Integer::new();
+    assign(&mut whole, x, lowest);
+    whole
+}
+
+/// Assigns x / 2^`lowest`, which must be an integer.
+fn assign(whole: &mut Integer, x: f64, lowest: i32) {
     if x == 0.0 {
-        return Integer::new();
+        whole.assign(0);
+        return;
     }
     let (significand, exponent) = split(x);
-    let shift = u32::try_from(exponent - lowest).expect("nothing is lower than the lowest");
-    let magnitude = Integer::from(significand) << shift;
-    if x < 0.0 { -magnitude } else { magnitude }
+    whole.assign(significand);
+    *whole <<= u32::try_from(exponent - lowest).expect("nothing is lower than the lowest");
+    if x < 0.0 {
+        whole.neg_assign();
+    }
 }
 
 #[cfg(test)]

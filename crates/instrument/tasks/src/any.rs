@@ -214,7 +214,7 @@ impl<T: Task> AnyTask for T {
         let content = content(self, loaded);
         let truth = self.truth(&loaded.scene, content, watch)?;
         let written = decimals::as_written(self, loaded, watch)?;
-        Ok(Box::new(CaseOf { task: self, case: Case { loaded, content, truth }, written }))
+        Ok(Box::new(CaseOf { task: self, case: Case::new(loaded, content, truth), written }))
     }
 
     fn describe_scene(&self, loaded: &LoadedScene, watch: &Watch) -> Result<String, Stop> {

@@ -3,6 +3,7 @@
 use predicament_corpus::LoadedScene;
 use predicament_predicates::{Contract, PredicateKind, Predicates, Scene};
 
+use crate::once::Verdicts;
 use crate::{Budget, Contestant, Task, Watch};
 
 /// A scene with the truth about it.
@@ -13,9 +14,14 @@ pub struct Case<'a, T: Task> {
     pub content: &'a T::Content,
     /// The truth.
     pub truth: T::Truth,
+    pub(crate) verdicts: Verdicts,
 }
 
 impl<'a, T: Task> Case<'a, T> {
+    pub(crate) fn new(loaded: &'a LoadedScene, content: &'a T::Content, truth: T::Truth) -> Case<'a, T> {
+        Case { loaded, content, truth, verdicts: Verdicts::default() }
+    }
+
     /// The points.
     #[must_use]
     pub fn scene(&self) -> &'a Scene {

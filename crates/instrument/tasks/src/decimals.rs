@@ -34,7 +34,7 @@ pub(crate) fn as_written<'a, T: Task>(
     let loaded = loaded.similar.as_deref().unwrap_or(loaded);
     let content: &T::Content = loaded.content().expect("the content of a scene of this task");
     let truth = task.truth_as_written(&loaded.scene, content, written, watch)?;
-    Ok(Some(Case { loaded, content, truth }))
+    Ok(Some(Case::new(loaded, content, truth)))
 }
 
 /// The comparison of [`Task::agreement`] for tasks without signs: the judge's texts of single answers, or its verdict

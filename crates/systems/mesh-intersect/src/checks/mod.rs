@@ -27,7 +27,7 @@ use predicament_predicates::{Construction, Scene, Vertex};
 
 pub use crate::truth::Point;
 pub use measures::{Measure, Sums, Together, add};
-pub use settled::{Settled, Settlement};
+pub use settled::{OfSurfaces, Settled, Settlement};
 pub use surface::flaw_of;
 
 /// A violation of a law.

@@ -44,6 +44,18 @@ pub struct Settlement<'a> {
     boundaries: Vec<[Boundary; 2]>,
 }
 
+/// The surfaces of results: equal values have equal flaws.
+#[derive(PartialEq)]
+pub struct OfSurfaces {
+    constructed: Vec<Point>,
+    before: usize,
+    results: [OfSurface; 4],
+}
+
+/// The corners of a limit, the bits of coordinates, the triangles in doubles, their vertices, and true if rounding has
+/// left no crossing.
+type OfSurface = (Vec<Vertex>, Vec<u64>, Vec<[u32; 3]>, Vec<Vertex>, bool);
+
 /// A result as a list of triangles over points.
 #[derive(PartialEq)]
 struct Surface {
@@ -107,8 +119,25 @@ impl<'a> Settlement<'a> {
         }
     }
 
+    /// All that [`surfaces`](Settlement::surfaces) reads, besides the scene.
+    #[must_use]
+    pub fn of_surfaces(&self) -> OfSurfaces {
+        let of = |result: &Settled<'_>| {
+            let bits = result.points.as_flattened().iter().map(|x| x.to_bits()).collect();
+            let [limit, vertices] = [result.limit.as_flattened(), result.vertices].map(<[Vertex]>::to_vec);
+            (limit, bits, result.triangles.to_vec(), vertices, result.is_whole)
+        };
+        OfSurfaces {
+            constructed: self.constructed.clone(),
+            before: self.laws.before,
+            results: self.settled.each_ref().map(of),
+        }
+    }
+
     /// Checks the surfaces alone; `crossed` triangles are compared with their neighbours.
-    pub fn surfaces(&self, crossed: usize, found: &mut Violations) {
+    #[must_use]
+    pub fn surfaces(&self, crossed: usize) -> Violations {
+        let found = &mut Violations::new();
         for ((operation, result), [limit, doubles]) in self.by_operation().zip(&self.surfaces) {
             let name = operation.name();
             let of_limit = limit.flaws(crossed);
@@ -127,6 +156,7 @@ impl<'a> Settlement<'a> {
             let got = format!("{} triangles of the difference", self.settled[2].limit.len());
             note(found, "limit of a mesh with itself", got, "a mesh less itself is empty");
         }
+        std::mem::take(found)
     }
 
     /// Checks that no two vertices of a limit coincide, except those of a given mesh.

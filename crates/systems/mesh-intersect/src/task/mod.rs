@@ -277,7 +277,7 @@ impl Task for MeshIntersect {
     ) -> Result<Agreement, Stop> {
         let over = Overlaid { rounded: None, registered: None, settled: None, ..answer.clone() };
         let mut outcome = Outcome::default();
-        judge::laws(written, asked, &over, None, &mut outcome)?;
+        judge::laws(written, asked, &over, &mut outcome)?;
         Ok(Agreement::of_wholes(own, &outcome))
     }
 

@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 
 use predicament_judge::boxes::{Boxes, Extent, extent};
 
-use super::exact::{Plane, area};
+use super::homogeneous::Rows;
 use super::rounded::Rounded;
 use super::{Check, Expected, Flaws, Part, Piece, Slices};
 
@@ -15,7 +15,7 @@ impl Slices {
     pub(super) fn crossings(&self, expected: Expected, flaws: &mut Flaws) {
         let step = self.triangles().div_ceil(expected.triangles_crossed.max(1)).max(1);
         let mut number = 0;
-        let near = Near { slices: self, rounded: Rounded::of(&self.points) };
+        let near = Near { rounded: Rounded::of(&self.points), rows: Rows::of(&self.points) };
         for (at, part) in self.parts.iter().enumerate() {
             let Some((index, reach)) = self.index(part) else { continue };
             let mut others = Vec::new();
@@ -54,10 +54,10 @@ impl Slices {
     }
 }
 
-/// Triangles near each other, with their points rounded too.
+/// Points of triangles near each other: rounded, and as integers where rounding may have changed a sign.
 struct Near<'a> {
-    slices: &'a Slices,
     rounded: Rounded,
+    rows: Rows<'a>,
 }
 
 impl Near<'_> {
@@ -89,10 +89,7 @@ impl Near<'_> {
     /// The sides of points on the plane of a triangle; the triangle's own corners are on it.
     fn sides_of<const N: usize>(&self, corners: [u32; 3], points: [u32; N]) -> [Ordering; N] {
         let plane = OnceCell::new();
-        let exact = |p: u32| {
-            let plane = plane.get_or_init(|| Plane::of(self.slices.points(corners)));
-            plane.side(&self.slices.points[p as usize])
-        };
+        let exact = |p: u32| self.rows.side(plane.get_or_init(|| self.rows.plane(corners)), p);
         points.map(|p| {
             if corners.contains(&p) {
                 return Ordering::Equal;
@@ -109,9 +106,9 @@ impl Near<'_> {
 
     /// True if edges of two triangles in one plane cross, or a corner of one is inside the other.
     fn overlap(&self, first: [u32; 3], second: [u32; 3]) -> bool {
-        let Some(axis) = Plane::of(self.slices.points(first)).axis() else { return false };
+        let Some(axis) = self.rows.plane(first).axis() else { return false };
         let turn = |[a, b]: [u32; 2], c: u32| {
-            let exact = || area(self.slices.points([a, b, c]), axis).cmp0();
+            let exact = || self.rows.area([a, b, c], axis);
             if c == a || c == b { Ordering::Equal } else { self.rounded.area([a, b, c], axis).unwrap_or_else(exact) }
         };
         let opposite = |x: Ordering, y: Ordering| x != Ordering::Equal && x == y.reverse();

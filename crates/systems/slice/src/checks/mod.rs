@@ -15,6 +15,7 @@ mod euler;
 mod exact;
 mod flat;
 pub mod given;
+mod homogeneous;
 mod pieces;
 pub mod replies;
 mod rounded;

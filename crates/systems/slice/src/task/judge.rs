@@ -10,19 +10,24 @@ use rug::Rational;
 
 use super::{Cut, Slice};
 use predicament_tasks::rounding::{Excuse, Rounding};
-use predicament_tasks::{Asked, Case, Class, Finding, Outcome};
+use predicament_tasks::{Asked, Case, Class, Finding, Outcome, Stop, bits};
 
 /// The number of triangles that are compared with their neighbours, at levels quick and full.
 const TRIANGLES_CROSSED: [usize; 2] = [100, 4_000];
 
 /// Judges the parts of a mesh.
-pub(super) fn judge(case: &Case<'_, Slice>, asked: &Asked<'_>, answer: &Cut, outcome: &mut Outcome) {
+pub(super) fn judge(
+    case: &Case<'_, Slice>,
+    asked: &Asked<'_>,
+    answer: &Cut,
+    outcome: &mut Outcome,
+) -> Result<(), Stop> {
     if let Some((broken, place)) = answer.sliced.broken {
         let place = place.map_or("in the end".to_owned(), |place| format!("at plane {place}"));
         note(outcome, Class::Topology, broken.rule(), format!("violated {place}"), "holds".to_owned());
         if answer.sliced.broken.is_some_and(|(_, place)| place.is_some()) {
             // The parts are incomplete: laws about them mean nothing.
-            return;
+            return Ok(());
         }
     }
     let slices = match slices(case, answer) {
@@ -30,7 +35,7 @@ pub(super) fn judge(case: &Case<'_, Slice>, asked: &Asked<'_>, answer: &Cut, out
         Err(vertex) => {
             let got = format!("{vertex} has no finite coordinates");
             note(outcome, Class::Topology, "vertex not finite", got, "every vertex is a point".to_owned());
-            return;
+            return Ok(());
         }
     };
     let expected = Expected {
@@ -38,7 +43,8 @@ pub(super) fn judge(case: &Case<'_, Slice>, asked: &Asked<'_>, answer: &Cut, out
         has_areas: asked.contract(PredicateKind::Orient3d).zero != ZeroMeaning::Never,
         triangles_crossed: TRIANGLES_CROSSED[usize::from(asked.budget.thorough)],
     };
-    let flaws = slices.flaws(expected);
+    let key = || (expected.has_areas, answer.clone(), answer.rounded.as_deref().map(bits));
+    let flaws = case.once(asked, key, || Ok(slices.flaws(expected)))?;
     let is_metric = |flaw: &&laws::Flaw| flaw.check.is_metric();
     let excuse = answer.rounded.as_ref().filter(|_| flaws.iter().any(|flaw| is_metric(&flaw))).map(|rounded| {
         let rounding = Rounding::of_definitions(case.scene(), &answer.sliced.constructions, rounded);
@@ -57,6 +63,7 @@ pub(super) fn judge(case: &Case<'_, Slice>, asked: &Asked<'_>, answer: &Cut, out
     if outcome.findings.is_empty() {
         outcome.counts.add(Class::Agree, outcome.queries);
     }
+    Ok(())
 }
 
 fn note(outcome: &mut Outcome, class: Class, check: &str, got: String, law: String) {

@@ -170,8 +170,7 @@ impl Task for Slice {
         outcome: &mut Outcome,
     ) -> Result<(), Stop> {
         asked.watch.done(0)?;
-        judge::judge(case, asked, answer, outcome);
-        Ok(())
+        judge::judge(case, asked, answer, outcome)
     }
 
     fn checks(&self) -> &'static [Check] {

@@ -5,7 +5,8 @@
 
 mod again;
 
-use std::cell::OnceCell;
+use std::cell::{LazyCell, OnceCell};
+use std::sync::Arc;
 
 use crate::algorithm::overlay::Contradiction;
 use crate::checks::{Laws, Point, Settled, Settlement, Violation, Violations, note};
@@ -18,7 +19,7 @@ use predicament_slice::checks::{Check as Law, Expected};
 use super::content::TwoMeshes;
 use super::{MeshIntersect, Overlaid};
 use predicament_tasks::rounding::Rounding;
-use predicament_tasks::{Asked, Case, Class, Finding, Outcome, Stop};
+use predicament_tasks::{Asked, Case, Class, Finding, Outcome, Stop, bits};
 
 /// The number of triangles compared with their neighbours, at the two levels.
 const CROSSED: [usize; 2] = [16, 2_000];
@@ -59,16 +60,74 @@ pub(super) fn judge(
     answer: &Overlaid,
     outcome: &mut Outcome,
 ) -> Result<(), Stop> {
-    let again = |judged: &Judging<'_>, found: &mut Violations| judged.again(asked, found);
-    laws(case, asked, answer, Some(&again), outcome)
+    laws(case, asked, answer, outcome)?;
+    let level = usize::from(asked.budget.thorough);
+    let many = if has_areas(asked) { 24 * AGAIN[level] } else { AGAIN[level] };
+    if case.content.triangles() <= many
+        && answer.broken.is_none()
+        && let Ok(points) = points(case.scene(), answer, Where::Given)
+    {
+        let judged = Judging::new(case.scene(), case.content, answer, points, Where::Given);
+        judged.measured(&OnceCell::new(), &|judged, found| judged.again(asked, found), outcome)?;
+    }
+    if outcome.findings.is_empty() {
+        outcome.counts.add(Class::Agree, outcome.queries);
+    }
+    Ok(())
 }
 
-/// Judges an overlay by the laws alone, and by those of `again`.
+/// True if pieces must have an area: only a perturbation makes pieces without.
+fn has_areas(asked: &Asked<'_>) -> bool {
+    zero(asked) != ZeroMeaning::Never
+}
+
+fn zero(asked: &Asked<'_>) -> ZeroMeaning {
+    asked.contract(PredicateKind::Orient3d).zero
+}
+
+/// Judges an overlay by the laws alone, once for all backends with this answer and this promise.
 pub(super) fn laws(
     case: &Case<'_, MeshIntersect>,
     asked: &Asked<'_>,
     answer: &Overlaid,
-    again: Option<&Holds<'_>>,
+    outcome: &mut Outcome,
+) -> Result<(), Stop> {
+    let key = || {
+        let coordinates = answer.rounded.as_deref().map(bits);
+        (zero(asked), answer.clone(), coordinates, answer.settled.as_ref().map(places))
+    };
+    once(case, asked, key, &|outcome| by_laws(case, asked, answer, outcome), outcome)
+}
+
+/// Adds an outcome that is found once for a key.
+fn once<K: PartialEq + Send + 'static>(
+    case: &Case<'_, MeshIntersect>,
+    asked: &Asked<'_>,
+    key: impl FnOnce() -> K,
+    judge: &dyn Fn(&mut Outcome) -> Result<(), Stop>,
+    outcome: &mut Outcome,
+) -> Result<(), Stop> {
+    let Outcome { counts, findings, .. } = case.once(asked, key, || {
+        let mut outcome = Outcome::default();
+        judge(&mut outcome).map(|()| outcome)
+    })?;
+    outcome.counts.merge(&counts);
+    outcome.findings.extend(findings);
+    Ok(())
+}
+
+/// The coordinates of settled results, as bits.
+fn places(settled: &Result<super::Settled, super::Unsettled>) -> [Vec<u64>; 4] {
+    settled.as_ref().map_or_else(
+        |_| Default::default(),
+        |settled| settled.results.each_ref().map(|result| bits(&result.rounded.closed.points)),
+    )
+}
+
+fn by_laws(
+    case: &Case<'_, MeshIntersect>,
+    asked: &Asked<'_>,
+    answer: &Overlaid,
     outcome: &mut Outcome,
 ) -> Result<(), Stop> {
     let found = &mut Vec::new();
@@ -95,17 +154,34 @@ pub(super) fn laws(
     laws.operations(found);
     report(found, outcome);
     asked.watch.done(0)?;
-    let has_areas = asked.contract(PredicateKind::Orient3d).zero != ZeroMeaning::Never;
+    let has_areas = has_areas(asked);
     let crossed = |place: Where| if place == Where::Given { CROSSED[level] } else { 1 };
     let pieces = |judged: &Judging<'_>, found: &mut Violations| {
         let triangles_crossed = crossed(judged.place);
         judged.laws.pieces(Expected { is_closed: false, has_areas, triangles_crossed }, found);
         Ok(())
     };
-    judged.measured(&exact, &pieces, outcome)?;
+    // All that these laws read, so that backends with other contacts or limits share what they have in common.
+    let parts = LazyCell::new(|| {
+        let Overlaid { regions, solids, sources, constructions, before, .. } = answer.clone();
+        Arc::new((regions, solids, sources, constructions, before, answer.rounded.as_deref().map(bits)))
+    });
+    let of_parts = |law: &'static str| (law, Arc::clone(&parts));
+    once(
+        case,
+        asked,
+        || (has_areas, of_parts("pieces")),
+        &|outcome| judged.measured(&exact, &pieces, outcome),
+        outcome,
+    )?;
     asked.watch.done(0)?;
-    laws.located(LOCATED[level], found);
-    report(found, outcome);
+    let located = |outcome: &mut Outcome| {
+        let mut found = Violations::new();
+        laws.located(LOCATED[level], &mut found);
+        report(&mut found, outcome);
+        Ok(())
+    };
+    once(case, asked, || of_parts("located"), &located, outcome)?;
     asked.watch.done(0)?;
     let is_added_up = laws.regions.triangles.len() <= ADDED_UP[level];
     if is_added_up {
@@ -115,10 +191,10 @@ pub(super) fn laws(
             judged.laws.results(found);
             Ok(())
         };
-        judged.measured(&exact, &measures, outcome)?;
+        once(case, asked, || of_parts("measures"), &|outcome| judged.measured(&exact, &measures, outcome), outcome)?;
     }
     asked.watch.done(0)?;
-    let zeros_are_exact = asked.contract(PredicateKind::Orient3d).zero == ZeroMeaning::Exact;
+    let zeros_are_exact = zero(asked) == ZeroMeaning::Exact;
     laws.topology(zeros_are_exact, found);
     asked.watch.done(0)?;
     if zeros_are_exact && answer.rounded.is_none() && case.content.triangles() <= CONTACTS[level] {
@@ -127,7 +203,7 @@ pub(super) fn laws(
     }
     let settlement = judged.settlement(found);
     if let Some(settlement) = &settlement {
-        settlement.surfaces(CROSSED[level], found);
+        found.extend(case.once(asked, || settlement.of_surfaces(), || Ok(settlement.surfaces(CROSSED[level])))?);
         asked.watch.done(0)?;
         if is_added_up {
             settlement.planes(found);
@@ -136,15 +212,7 @@ pub(super) fn laws(
     }
     laws.probed(&probes(case.scene(), case.content, PROBED[level]), settlement.as_ref(), found);
     report(found, outcome);
-    asked.watch.done(0)?;
-    let many = if has_areas { 24 * AGAIN[level] } else { AGAIN[level] };
-    if let Some(again) = again.filter(|_| case.content.triangles() <= many) {
-        judged.measured(&exact, again, outcome)?;
-    }
-    if outcome.findings.is_empty() {
-        outcome.counts.add(Class::Agree, outcome.queries);
-    }
-    Ok(())
+    asked.watch.done(0)
 }
 
 /// Converts violations to findings.

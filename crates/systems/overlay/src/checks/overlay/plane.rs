@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use rug::Rational;
+use rug::{Complete, Integer, Rational};
 
 use predicament_judge::boxes::{Boxes, extent};
 use predicament_judge::sum::sum;
@@ -16,9 +16,20 @@ pub(super) fn turn(a: &Point, b: &Point, p: &Point) -> Rational {
     minus(b, 0) * minus(p, 1) - minus(b, 1) * minus(p, 0)
 }
 
-/// The side of p on the line from a to b.
+/// The side of p on the line from a to b: the sign of [`turn`].
+///
+/// Numerators decide, over denominators that are never reduced: reducing takes most of the time of rationals.
 pub(in crate::checks) fn side(a: &Point, b: &Point, p: &Point) -> Ordering {
-    turn(a, b, p).cmp0()
+    let to =
+        |p: &Point, i: usize| -> Integer { (p[i].numer() * a[i].denom()).complete() - p[i].denom() * a[i].numer() };
+    let products = [[to(b, 0), to(p, 1)], [to(b, 1), to(p, 0)]];
+    let [left, right] = products.each_ref().map(|[x, y]| x.cmp0() as i8 * y.cmp0() as i8);
+    if left != right || left == 0 {
+        return left.cmp(&right);
+    }
+    let [left, right] = products.map(|[x, y]| x * y);
+    let [of_left, of_right] = [[0, 1], [1, 0]].map(|[i, j]: [usize; 2]| (b[i].denom() * p[j].denom()).complete());
+    (left * of_right).cmp(&(right * of_left))
 }
 
 /// True if p, which is on the line of a and b, is not beyond either.

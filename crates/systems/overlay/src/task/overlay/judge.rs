@@ -10,7 +10,7 @@ use predicament_predicates::{PredicateKind, Scene, Vertex, ZeroMeaning};
 use super::content::Layers;
 use super::{Layered, Overlaid, Overlay2d, Shortcut};
 use predicament_tasks::rounding::{Excuse, Rounding};
-use predicament_tasks::{Asked, Case, Class, Finding, Outcome, Stop};
+use predicament_tasks::{Asked, Case, Class, Finding, Outcome, Stop, bits};
 
 /// The number of edges compared with their neighbours, at the two levels.
 const EDGES_CROSSED: [usize; 2] = [1_000, 20_000];
@@ -52,7 +52,8 @@ pub(super) fn judge(
         located: LOCATED[usize::from(asked.budget.thorough)],
     };
     asked.watch.done(0)?;
-    let found = flaws(case, asked, answer, &at, expected)?;
+    let key = || (expected.has_areas, answer.clone(), answer.rounded.as_deref().map(bits));
+    let found = case.once(asked, key, || flaws(case, asked, answer, &at, expected))?;
     let is_metric = |flaw: &&Flaw| flaw.check.is_metric();
     let mut excuse = None;
     if answer.rounded.is_some() && found.iter().any(|flaw| is_metric(&flaw)) {

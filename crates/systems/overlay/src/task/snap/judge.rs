@@ -34,7 +34,7 @@ pub fn judge(case: &Case<'_, Snap2d>, asked: &Asked<'_>, answer: &Chains, outcom
         Method::Snap => Promise::Snapped,
         Method::Iterated => Promise::Iterated,
     };
-    let found = flaws(rounded, promise);
+    let (found, new) = case.once(asked, || chains.clone(), || Ok((flaws(rounded, promise), new_crossings(&chains))))?;
     asked.watch.done(0)?;
     let most = asked.budget.findings_per_class;
     for flaw in &found {
@@ -65,7 +65,7 @@ pub fn judge(case: &Case<'_, Snap2d>, asked: &Asked<'_>, answer: &Chains, outcom
         hot: answer.snapped.pixels.len() as u64,
         merged: answer.snapped.merged as u64,
         edges: answer.snapped.edges().len() as u64,
-        new_crossings: new_crossings(&chains) as u64,
+        new_crossings: new as u64,
         drift: answer.snapped.drift(drawing, content.pixel),
     });
     Ok(())
