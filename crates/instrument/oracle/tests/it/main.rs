@@ -17,3 +17,4 @@ mod rational;
 mod roster;
 mod run;
 mod sphere;
+mod verdicts;
