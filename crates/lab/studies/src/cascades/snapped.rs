@@ -241,14 +241,14 @@ impl Near {
 #[cfg(test)]
 mod tests {
     use predicament_exact::Exact;
+    use predicament_overlay::algorithm::overlay::Operation;
     use predicament_tasks::Entry;
 
     use super::*;
     use crate::cascades::Cascade;
 
     /// The loops after each step, independent of the order in which they are stored.
-    fn results(cascade: Cascade, distance: f64, exponent: i32) -> Vec<Vec<Vec<Vec<String>>>> {
-        let (start, steps) = cascade.steps(24, 1);
+    fn results(start: &Loop, steps: &[Operand], distance: f64, exponent: i32) -> Vec<Vec<Vec<Vec<String>>>> {
         let mut results = Vec::new();
         let mut note = |stepped: crate::cascades::step::Stepped<'_>| {
             let mut regions = (stepped.shape)().regions;
@@ -265,19 +265,39 @@ mod tests {
             Ok(())
         };
         let mut then = Then { samples: &[], note: &mut note };
-        let end = within(distance, &Entry::new(Exact), exponent, &start, &steps, &mut then);
-        assert!(end.is_ok() && results.len() == steps.len(), "{cascade:?}");
+        let end = within(distance, &Entry::new(Exact), exponent, start, steps, &mut then);
+        assert!(end.is_ok() && results.len() == steps.len());
         results
     }
 
     #[test]
     fn what_is_far_does_not_change() {
         for cascade in Cascade::ALL {
+            let (start, steps) = cascade.steps(24, 1);
             // Pixels of all sizes: with large ones nearly everything is near.
             for exponent in [-38, -12, -6] {
-                let all = results(cascade, f64::INFINITY, exponent);
-                assert_eq!(results(cascade, FAR, exponent), all, "{cascade:?}, pixels of 2^{exponent}");
+                let all = results(&start, &steps, f64::INFINITY, exponent);
+                assert_eq!(results(&start, &steps, FAR, exponent), all, "{cascade:?}, pixels of 2^{exponent}");
             }
         }
+    }
+
+    /// A comb whose teeth end half a pixel or more above a long edge. Posts cross the edge and bend it a little, and
+    /// then it meets pixels of teeth that are far from the posts.
+    #[test]
+    fn what_a_bent_edge_approaches_is_hot() {
+        let mut start: Loop = vec![[0.0, 0.0], [1000.0, 7.0], [1000.0, 60.0]];
+        for tooth in (1..100).rev() {
+            let x = 10.0 * f64::from(tooth);
+            start.extend([[x, (0.007 * x + 0.51).floor() + 1.0], [x - 5.0, 50.0]]);
+        }
+        start.push([0.0, 60.0]);
+        let post = |x: f64| Operand {
+            operation: Operation::Union,
+            corners: vec![[x, -20.0], [x + 3.0, -20.0], [x + 3.0, 9.0], [x, 9.0]],
+        };
+        let steps: Vec<Operand> = [2000.0, 73.0, 645.0, 359.0].into_iter().map(post).collect();
+        let all = results(&start, &steps, f64::INFINITY, 0);
+        assert_eq!(results(&start, &steps, FAR, 0), all);
     }
 }
