@@ -86,6 +86,7 @@ mod tests {
             (state >> 33) % bound
         };
         let mut counts = [[0; 3]; 2];
+        let place = |sign: Ordering| usize::from(sign.is_ge()) + usize::from(sign.is_gt());
         for _ in 0..3000 {
             let off = Rational::from((next(2), 1_u64 << 60));
             let points: Vec<Point> = (0..4)
@@ -97,13 +98,13 @@ mod tests {
             assert_eq!(plane.axis(), of_corners.axis());
             let side = rows.side(&plane, 3);
             assert_eq!(side, of_corners.side(&points[3]), "{points:?}");
-            counts[0][side as usize + 1] += 1;
+            counts[0][place(side)] += 1;
             for axis in 0..3 {
                 let sign = rows.area([1, 2, 3], axis);
                 assert_eq!(sign, area([1, 2, 3].map(|at: usize| &points[at]), axis).cmp0(), "{points:?}");
-                counts[1][sign as usize + 1] += 1;
+                counts[1][place(sign)] += 1;
             }
         }
-        assert!(counts.as_flattened().iter().all(|&count| count > 200), "{counts:?}");
+        assert!(counts.as_flattened().iter().all(|&count| count > 100), "{counts:?}");
     }
 }
