@@ -1,4 +1,4 @@
-//! Integers modulo the Mersenne prime 2^61 − 1, to guess whether a polynomial is zero.
+//! Integers modulo the Mersenne prime 2^61 − 1, to guess whether a polynomial is zero, and to prove it for small ones.
 
 /// The exponent of the prime.
 const E: u32 = 61;
