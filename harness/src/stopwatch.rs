@@ -40,6 +40,11 @@ impl Cost {
         Cost { cpu_us: self.cpu_us.max(self.wall_us), ..self }
     }
 
+    /// The sum of two costs.
+    pub fn plus(self, other: Cost) -> Cost {
+        Cost { wall_us: self.wall_us + other.wall_us, cpu_us: self.cpu_us + other.cpu_us }
+    }
+
     /// The share of a common cost for a task that took `part` of the `whole` time.
     pub fn share(self, part: Duration, whole: Duration) -> Cost {
         let share = |cost: u64| {

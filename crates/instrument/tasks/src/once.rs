@@ -6,7 +6,7 @@
 use std::any::Any;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use crate::{Asked, Budget, Case, Stop, Task};
+use crate::{Asked, Budget, Case, Stop, Task, Watch};
 
 /// The verdicts about a scene, with their keys.
 #[derive(Default)]
@@ -24,10 +24,11 @@ impl Verdicts {
     fn once<K: PartialEq + Send + 'static, V: Clone + Send + 'static>(
         &self,
         budget: Budget,
+        watch: &Watch<'_>,
         key: impl FnOnce() -> K,
         find: impl FnOnce() -> Result<V, Stop>,
     ) -> Result<V, Stop> {
-        if budget.thorough {
+        if budget.thorough || watch.is_limited() {
             return find();
         }
         let key = key();
@@ -39,7 +40,7 @@ impl Verdicts {
             return Ok(verdict);
         }
         // Without the lock: a thread that waits for it could be the one that has to find the verdict.
-        let verdict = find()?;
+        let verdict = watch.for_all(find)?;
         self.all().push(Box::new((key, budget, verdict.clone())));
         Ok(verdict)
     }
@@ -50,7 +51,8 @@ impl<T: Task> Case<'_, T> {
     ///
     /// `find` must read nothing but the case, the key and the [`Budget`]: no backend, no session. So the key holds the
     /// answer, with [`bits`] for coordinates, and the promises that the rules depend on. With plenty of time each
-    /// verdict is found anew: such answers are large, and the keys would fill the memory.
+    /// verdict is found anew: such answers are large, and the keys would fill the memory. Under a time limit as well:
+    /// otherwise a backend could run out of time because no other backend had found the verdict.
     ///
     /// # Errors
     /// The error of `find`; it is not kept.
@@ -60,7 +62,7 @@ impl<T: Task> Case<'_, T> {
         key: impl FnOnce() -> K,
         find: impl FnOnce() -> Result<V, Stop>,
     ) -> Result<V, Stop> {
-        self.verdicts.once(asked.budget, key, find)
+        self.verdicts.once(asked.budget, asked.watch, key, find)
     }
 }
 
@@ -73,8 +75,17 @@ pub fn bits<const N: usize>(points: &[[f64; N]]) -> Vec<u64> {
 #[cfg(test)]
 mod tests {
     use std::cell::Cell;
+    use std::sync::atomic::AtomicBool;
+    use std::thread::sleep;
+    use std::time::Duration;
 
     use super::*;
+
+    static RUNS_ON: AtomicBool = AtomicBool::new(false);
+
+    fn watch(limit: Option<Duration>) -> Watch<'static> {
+        Watch::new(&RUNS_ON, limit, &|_| ())
+    }
 
     #[test]
     fn a_verdict_is_found_once_for_each_key_and_budget() {
@@ -84,7 +95,7 @@ mod tests {
                 found.set(found.get() + 1);
                 Ok(format!("{key:?}"))
             };
-            let told = verdicts.once(budget, || key.clone(), find).unwrap();
+            let told = verdicts.once(budget, &watch(None), || key.clone(), find).unwrap();
             assert_eq!(told, format!("{key:?}"));
             found.get()
         };
@@ -103,9 +114,36 @@ mod tests {
 
     #[test]
     fn a_stop_is_not_a_verdict() {
-        let verdicts = Verdicts::default();
-        assert_eq!(verdicts.once(Budget::QUICK, || 1, || Err::<u8, Stop>(Stop::Timeout)), Err(Stop::Timeout));
-        assert_eq!(verdicts.once(Budget::QUICK, || 1, || Ok(2_u8)), Ok(2));
-        assert_eq!(verdicts.once(Budget::QUICK, || 1, || Ok("of another type")), Ok("of another type"));
+        let (verdicts, watch) = (Verdicts::default(), watch(None));
+        assert_eq!(verdicts.once(Budget::QUICK, &watch, || 1, || Err::<u8, Stop>(Stop::Timeout)), Err(Stop::Timeout));
+        assert_eq!(verdicts.once(Budget::QUICK, &watch, || 1, || Ok(2_u8)), Ok(2));
+        assert_eq!(verdicts.once(Budget::QUICK, &watch, || 1, || Ok("of another type")), Ok("of another type"));
+    }
+
+    #[test]
+    fn the_time_of_a_verdict_is_not_the_time_of_the_backend_that_finds_it() {
+        let nap = Duration::from_millis(2);
+        let (verdicts, [first, second]) = (Verdicts::default(), [(); 2].map(|()| watch(None)));
+        let inner = || {
+            sleep(nap);
+            Ok(1)
+        };
+        let outer = || {
+            sleep(nap);
+            verdicts.once(Budget::QUICK, &first, || "inner", inner)
+        };
+        let clock = std::time::Instant::now();
+        assert_eq!(verdicts.once(Budget::QUICK, &first, || "outer", outer), Ok(1));
+        let all = clock.elapsed();
+        assert!(first.shared() >= 2 * nap && first.shared() <= all, "{:?} of {all:?}", first.shared());
+        assert_eq!(verdicts.once(Budget::QUICK, &second, || "outer", || Ok(2)), Ok(1));
+        assert_eq!(second.shared(), Duration::ZERO);
+    }
+
+    #[test]
+    fn under_a_time_limit_no_verdict_is_shared() {
+        let (verdicts, watch) = (Verdicts::default(), watch(Some(Duration::from_secs(60))));
+        assert_eq!([1, 2].map(|k| verdicts.once(Budget::QUICK, &watch, || "key", || Ok(k))), [Ok(1), Ok(2)]);
+        assert_eq!(watch.shared(), Duration::ZERO);
     }
 }

@@ -206,8 +206,8 @@ impl Tree {
         match seen {
             Seen::Test { package, name } => {
                 let package = format!("predicament-{package}");
-                // Unit tests are in the library.
-                let place: &[&str] = if name.contains("tests::") { &["--lib"] } else { &["--test", "it"] };
+                // Unit tests are in the library. Others may be in any program of tests.
+                let place: &[&str] = if name.contains("tests::") { &["--lib"] } else { &["--test", "*"] };
                 let test = [&["test", "--quiet", "--profile", "mutants", "-p", &package], place].concat();
                 if self.cargo(&[&test[..], &["--no-run"]].concat())? != 0 {
                     return Ok(Sight::Unbuilt);

@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use indicatif::ProgressBar;
 use predicament_engines::PREFIX;
@@ -116,7 +116,7 @@ impl<'r> Run<'r> {
         let Ok(case) = (!here.is_empty()).then(|| task.case(&loaded, &watch)).transpose() else {
             return Ok(Flow::Break(()));
         };
-        self.ledger.cost(&scene, CostRow::TRUTH, clock.read())?;
+        let mut shared = clock.read();
         let case = case.as_deref();
         refuse_disputed(&scene, case)?;
         let worker = self.worker(planned, &scene);
@@ -130,10 +130,14 @@ impl<'r> Run<'r> {
                     if loaded.family == "pixel-map" {
                         self.ledger.draw(case, backend)?;
                     }
-                    let (outcome, cost) = match &mut side_by_side {
+                    let (outcome, [cost, for_all]) = match &mut side_by_side {
                         Some(outcomes) => outcomes.next().expect("one for each backend"),
-                        None => self.alone(case, backend, &watch),
+                        None => {
+                            let watch = || watch.restarted(self.args.timeout);
+                            together(case, &[backend], self.budget, watch).remove(0)
+                        }
                     };
+                    shared = shared.plus(for_all);
                     self.note(&scene, backend, outcome, cost)?
                 }
             };
@@ -141,6 +145,7 @@ impl<'r> Run<'r> {
                 return Ok(flow);
             }
         }
+        self.ledger.cost(&scene, CostRow::TRUTH, shared)?;
         Ok(Flow::Continue(()))
     }
 
@@ -174,13 +179,6 @@ impl<'r> Run<'r> {
         }
     }
 
-    /// Judges one backend, and measures its cost.
-    fn alone(&self, case: &dyn AnyCase, backend: &dyn Contestant, watch: &Watch<'_>) -> (Result<Outcome, Stop>, Cost) {
-        let clock = Stopwatch::start();
-        let outcome = judge(case, backend, self.budget, &watch.restarted(self.args.timeout));
-        (outcome, clock.read())
-    }
-
     /// Judges several backends at once. Small scenes leave threads idle, so backends share the threads; a crash can
     /// lose only one such scene. Backends with a time limit run alone.
     fn side_by_side(
@@ -188,11 +186,9 @@ impl<'r> Run<'r> {
         case: Option<&dyn AnyCase>,
         backends: &[&dyn Contestant],
         watch: &Watch<'_>,
-    ) -> Option<Vec<(Result<Outcome, Stop>, Cost)>> {
+    ) -> Option<Vec<Judged>> {
         let is_small = self.selection.level == Level::Quick && self.args.timeout.is_none();
-        let case = case.filter(|_| is_small)?;
-        let (budget, limit) = (self.budget, self.args.timeout);
-        Some(together(backends, |backend| judge(case, backend, budget, &watch.restarted(limit))))
+        Some(together(case.filter(|_| is_small)?, backends, self.budget, || watch.restarted(None)))
     }
 
     /// Runs one backend in a separate process.
@@ -237,18 +233,26 @@ fn work(scene: &PlannedScene, backends: &[Box<dyn Contestant>], ledger: &Ledger)
     scene.queries * (count as u64 + 1)
 }
 
-/// Calls `each` for all backends at once. Threads work for any backend when they are free; the common cost is divided
-/// in proportion to the backends' own clocks.
-fn together<T: Send>(backends: &[&dyn Contestant], each: impl Fn(&dyn Contestant) -> T + Sync) -> Vec<(T, Cost)> {
+/// A backend's outcome, with its own cost and the cost of verdicts that it found for all backends.
+type Judged = (Result<Outcome, Stop>, [Cost; 2]);
+
+/// Judges backends at once, and measures their costs. Threads work for any backend when they are free; the common cost
+/// is divided in proportion to the backends' own clocks.
+fn together<'w>(
+    case: &dyn AnyCase,
+    backends: &[&dyn Contestant],
+    budget: Budget,
+    watch: impl Fn() -> Watch<'w> + Sync,
+) -> Vec<Judged> {
     let clock = Stopwatch::start();
     let timed = |backend: &&dyn Contestant| {
-        let start = Instant::now();
-        let done = each(*backend);
-        (done, start.elapsed())
+        let (start, watch) = (Instant::now(), watch());
+        let done = judge(case, *backend, budget, &watch);
+        (done, [start.elapsed().saturating_sub(watch.shared()), watch.shared()])
     };
-    let done: Vec<(T, Duration)> = backends.par_iter().map(timed).collect();
-    let (cost, whole) = (clock.read(), done.iter().map(|(_, time)| *time).sum());
-    done.into_iter().map(|(done, time)| (done, cost.share(time, whole))).collect()
+    let done: Vec<_> = backends.par_iter().map(timed).collect();
+    let (cost, whole) = (clock.read(), done.iter().flat_map(|(_, times)| times).sum());
+    done.into_iter().map(|(done, times)| (done, times.map(|time| cost.share(time, whole)))).collect()
 }
 
 /// The outcome of the run so far, with these rows added.

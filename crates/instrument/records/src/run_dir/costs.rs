@@ -38,7 +38,8 @@ crate::table! {
 }
 
 impl CostRow {
-    /// The name in the backend column for work that all backends share: reading the scene and computing the truth.
+    /// The name in the backend column for work that all backends share: reading the scene, computing the truth, and
+    /// verdicts about equal answers of several backends.
     pub const TRUTH: &'static str = "truth";
 
     /// The cost of a scene on a backend.

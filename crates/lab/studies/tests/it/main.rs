@@ -10,7 +10,6 @@ mod compare;
 mod cut;
 mod decimals;
 mod laws;
-mod memory;
 mod mesh_cascades;
 mod parity;
 mod parity_space;

@@ -1,7 +1,8 @@
 //! Stated memory, compared with the bytes that an answer and its files allocate.
 //!
 //! The study of scale reads the memory of a process. That says nothing about small scenes: a process uses pages again
-//! that it has freed, and it never returns some. An allocator counts bytes, so scenes of milliseconds suffice.
+//! that it has freed, and it never returns some. An allocator counts bytes, so scenes of milliseconds suffice. The
+//! allocator counts for all threads, so the test has a program of its own.
 
 use peak_alloc::PeakAlloc;
 use predicament_studies::compare::Input;
@@ -9,8 +10,6 @@ use predicament_tasks::Purpose;
 use predicament_tasks::output::Choice;
 use rayon::ThreadPoolBuilder;
 use tempfile::tempdir;
-
-use crate::backend;
 
 #[global_allocator]
 static ALLOCATED: PeakAlloc = PeakAlloc;
@@ -20,7 +19,7 @@ const N: usize = 10_000;
 
 /// The most bytes that are allocated at a time to find an answer and to write its files.
 fn allocated(input: Input) -> (usize, u64) {
-    let (exact, folder, task) = (backend("exact"), tempdir().unwrap(), input.task);
+    let (exact, folder, task) = (predicament_bundle::backend("exact").unwrap(), tempdir().unwrap(), input.task);
     let answered = |n: usize| {
         let loaded = input.sized(n).scene(1).unwrap();
         let before = ALLOCATED.current_usage();
