@@ -300,4 +300,21 @@ mod tests {
         let all = results(&start, &steps, f64::INFINITY, 0);
         assert_eq!(results(&start, &steps, FAR, 0), all);
     }
+
+    /// A notch whose bottom is a row of vertices above a long edge, less than half a pixel higher one by one. A post
+    /// bends the edge into the first of their pixels. Each bend leads into the next pixel, 15 pixels from the edge in
+    /// the end.
+    #[test]
+    fn a_chain_that_goes_far_is_found() {
+        let mut start: Loop = vec![[0.0, 0.0], [4096.0, 1001.0], [4096.0, 1200.0], [3160.0, 1200.0]];
+        start.extend((0..30).map(|vertex| [3159.0 - 2.0 * f64::from(vertex), 773.0]));
+        start.push([0.0, 1200.0]);
+        let post = |x: f64| Operand {
+            operation: Operation::Union,
+            corners: vec![[x, 700.0], [x + 3.0, 700.0], [x + 3.0, 790.0], [x, 790.0]],
+        };
+        let steps: Vec<Operand> = [5000.0, 3161.0].into_iter().map(post).collect();
+        let all = results(&start, &steps, f64::INFINITY, 0);
+        assert_eq!(results(&start, &steps, 8.0, 0), all);
+    }
 }
