@@ -3,7 +3,7 @@
 use predicament_grid::Bounds;
 use predicament_grid::two_level::Ray;
 use predicament_mesh::OUTSIDE;
-use predicament_predicates::{Predicates, Scene, Vertex};
+use predicament_predicates::{Axis, Predicates, Scene, Sign, Vertex};
 
 use super::at_corner::Spokes;
 use super::nearer::is_nearer;
@@ -81,8 +81,7 @@ impl MeshIndex {
         let points: &[[f64; 3]] = scene.coordinates().as_chunks().0;
         let (p, triangles, shadows) = (points[q.index()], self.mesh().triangles(), self.shadows());
         let mut nearest: Option<Nearest> = None;
-        let (breaks_ties, mut is_asked) = (session.unperturbed().is_some(), false);
-        let (mut found, mut coincide) = (None, false);
+        let (mut is_asked, mut found, mut coincide) = (false, None, false);
         let mut spokes = Spokes::default();
         // The last step of the previous cells.
         let mut before = None;
@@ -102,10 +101,12 @@ impl MeshIndex {
                     // The previous cell listed it: its box holds the point as seen from above, and extends down there.
                     continue;
                 }
-                if breaks_ties
-                    && !is_asked
-                    && let Some(&corner) = corners.iter().find(|v| points[v.index()] == p)
-                {
+                if !is_asked && let Some(&corner) = corners.iter().find(|v| points[v.index()] == p) {
+                    if session.compare(Axis::X, q, corner) == Sign::Zero {
+                        // The session moves neither from the other.
+                        found = Some(Location::On(triangle));
+                        return true;
+                    }
                     is_asked = true;
                     found = self.at_corner(session, q, corner, entries);
                     if found.is_some() {

@@ -1,6 +1,6 @@
 //! Judging of arrangements and results by their laws, decided in rationals.
 
-use crate::algorithm::overlay::{Contradiction, Edge, Region};
+use crate::algorithm::overlay::{Contradiction, Edge, Operation, Polygon, Region, Rule};
 use std::collections::BTreeMap;
 
 use crate::checks::overlay::{Expected, Flaw, Graph, Operands, Point, Results, Windings};
@@ -52,8 +52,14 @@ pub(super) fn judge(
         located: LOCATED[usize::from(asked.budget.thorough)],
     };
     asked.watch.done(0)?;
-    let key = || (expected.has_areas, answer.clone(), answer.rounded.as_deref().map(bits));
-    let found = case.once(asked, key, || flaws(case, asked, answer, &at, expected))?;
+    let contract = asked.contract(PredicateKind::Orient2d);
+    // Proved signs are exact signs, or those of one perturbed scene.
+    let is_sure = contract.proved && contract.zero != ZeroMeaning::Band;
+    let key = || (is_sure, expected.has_areas, answer.clone(), answer.rounded.as_deref().map(bits));
+    let (found, of_third) = case.once(asked, key, || {
+        let of_third = if is_sure { flaws_of_third(case, answer, expected) } else { Vec::new() };
+        Ok((flaws(case, asked, answer, &at, expected)?, of_third))
+    })?;
     let is_metric = |flaw: &&Flaw| flaw.check.is_metric();
     let mut excuse = None;
     if answer.rounded.is_some() && found.iter().any(|flaw| is_metric(&flaw)) {
@@ -64,23 +70,26 @@ pub(super) fn judge(
         let violated = violated.iter().filter(is_metric).map(|flaw| flaw.check).collect();
         excuse = Some(Excuse { rounding, violated });
     }
-    let contract = asked.contract(PredicateKind::Orient2d);
-    // Proved signs are exact signs, or those of one perturbed scene.
-    if contract.proved && contract.zero != ZeroMeaning::Band {
+    if is_sure {
         let points = answer.scene.as_ref().map(Points::of);
         let place = |v: Vertex| points.as_ref()?.point(v).map(|point| point.into_owned());
         for Shortcut { name, short, whole } in &answer.shortcuts {
             let [got, wanted] = [short, whole].map(|made| by_place(&made.regions, &place));
-            if got != wanted || short.broken != whole.broken {
+            if got != wanted || short.broken.is_some() || whole.broken.is_some() {
                 let got = format!("{name}: {} regions", got.len());
                 note(outcome, Class::Topology, "shortcut", got, &format!("{} regions", wanted.len()));
             }
         }
     }
+    let told = |flaw: &Flaw| format!("{} times, first: {}", flaw.count, flaw.what);
     for flaw in found {
-        let told = format!("{} times, first: {}", flaw.count, flaw.what);
-        let (class, got) = Excuse::judged(excuse.as_ref().filter(|_| is_metric(&&flaw)), &flaw.check, told);
+        let excuse = excuse.as_ref().filter(|_| is_metric(&&flaw));
+        let (class, got) = Excuse::judged(excuse, &flaw.check, told(&flaw));
         note(outcome, class, flaw.check.name(), got, flaw.check.law());
+    }
+    for flaw in of_third {
+        let got = format!("union and third polygon: {}", told(&flaw));
+        note(outcome, Class::Topology, flaw.check.name(), got, flaw.check.law());
     }
     if outcome.findings.is_empty() {
         outcome.counts.add(Class::Agree, outcome.queries);
@@ -103,17 +112,13 @@ fn flaws(
     asked.watch.done(0)?;
     if let Layers::Polygons(loops, rule) = &content.layers {
         let exactly = |one: &Vec<Vertex>| one.iter().map(|&v| input(scene, v)).collect();
-        let inside: fn(i32) -> bool = match rule {
-            crate::algorithm::overlay::Rule::EvenOdd => |winding| winding % 2 != 0,
-            crate::algorithm::overlay::Rule::NonZero => |winding| winding != 0,
-        };
-        let operands =
-            Operands { loops: loops.each_ref().map(|loops| loops.iter().map(exactly).collect()), rules: [inside; 2] };
-        let one = |edges: &Vec<crate::algorithm::overlay::Edge>| edges.iter().map(|edge| at.of(edge.from)).collect();
+        let loops = loops.each_ref().map(|loops| loops.iter().map(exactly).collect());
+        let operands = Operands { loops, rules: [inside(*rule); 2] };
+        let one = |edges: &Vec<Edge>| edges.iter().map(|edge| at.of(edge.from)).collect();
         let windings = Windings {
             passes: wanted.values().copied().collect(),
             faces: answer.overlay.windings.clone(),
-            modulo_two: *rule == crate::algorithm::overlay::Rule::EvenOdd,
+            modulo_two: *rule == Rule::EvenOdd,
         };
         flaws.extend(windings.flaws(&graph));
         asked.watch.done(0)?;
@@ -125,6 +130,31 @@ fn flaws(
         flaws.extend(results.flaws(&operands, &probes(scene), expected, only));
     }
     Ok(flaws)
+}
+
+/// The laws that the results of the union and the third polygon violate, all at exact points.
+fn flaws_of_third(case: &Case<'_, Overlay2d>, answer: &Overlaid, expected: Expected) -> Vec<Flaw> {
+    let (false, Some(made)) = (answer.shortcuts.is_empty(), &answer.scene) else { return Vec::new() };
+    let points = Points::of(made);
+    let place = |v: Vertex| points.point(v).and_then(|point| point.into_owned().try_into().ok()).unwrap_or_default();
+    let one = |edges: &Vec<Edge>| -> Vec<Point> { edges.iter().map(|edge| place(edge.from)).collect() };
+    let of = |regions: &[Region]| regions.iter().map(|region| region.loops().map(one).collect()).collect();
+    let polygons = [Polygon::from(answer.regions[0].regions.as_slice()), answer.third.clone()];
+    let loops = polygons.each_ref().map(|polygon| polygon.loops.iter().map(one).collect());
+    let operands = Operands { loops, rules: polygons.map(|polygon| inside(polygon.rule)) };
+    let mut results = Results::default();
+    for (regions, Shortcut { whole, .. }) in results.regions.iter_mut().zip(&answer.shortcuts[Operation::ALL.len()..]) {
+        *regions = of(&whole.regions);
+    }
+    results.flaws(&operands, &probes(case.scene()), expected, [None; 2])
+}
+
+/// True for winding numbers of inner points.
+fn inside(rule: Rule) -> fn(i32) -> bool {
+    match rule {
+        Rule::EvenOdd => |winding| winding % 2 != 0,
+        Rule::NonZero => |winding| winding != 0,
+    }
 }
 
 /// The loops of regions as points, each from its least corner on: the outer loop first, the holes sorted.
@@ -238,7 +268,7 @@ fn wanted(content: &Layered) -> BTreeMap<[Vertex; 2], [i64; 2]> {
                     }
                 }
             }
-            let is_even_odd = *rule == crate::algorithm::overlay::Rule::EvenOdd;
+            let is_even_odd = *rule == Rule::EvenOdd;
             passed.retain(|_, times| times.iter().any(|times| if is_even_odd { times % 2 != 0 } else { *times != 0 }));
         }
     }

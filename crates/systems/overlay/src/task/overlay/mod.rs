@@ -12,7 +12,7 @@ mod shapes;
 mod spoiled;
 
 use crate::algorithm::overlay::{
-    Contradiction, Edge, Method, Operation, Overlay, Polygon, Regions, Rule, arrange, combine, operate, overlay,
+    Contradiction, Edge, Method, Operation, Overlay, Polygon, Regions, arrange, combine, operate, overlay,
 };
 use predicament_corpus::{Context, Family, InDecimals, LoadedScene, SceneFormat, Source};
 use predicament_crossings::task::memory::{Bytes, estimate};
@@ -46,8 +46,11 @@ pub struct Overlaid {
     pub scene: Option<Scene>,
     /// The session's rounded position of each node's vertex; `None` if it rounds nothing.
     pub rounded: Option<Vec<[f64; 2]>>,
-    /// Results by a shortcut that leaves out what meets nothing; empty unless they are judged.
+    /// Results by a shortcut that leaves out what meets nothing; empty unless they are judged. First all operations of
+    /// the operands, then all of their union and the third polygon.
     pub shortcuts: Vec<Shortcut>,
+    /// The polygon that is combined with the union.
+    pub third: Polygon,
 }
 
 /// A result by a shortcut, and the same result by a whole overlay.
@@ -61,24 +64,39 @@ pub struct Shortcut {
     pub whole: Regions,
 }
 
-/// The operations by [`operate`], and those of the union and the second operand by [`combine`].
+/// The third polygon; the operations by [`operate`], and those of the union and the third polygon by [`combine`].
 fn shortcuts(
     session: &mut dyn Predicates,
     [a, b]: [&Polygon; 2],
     regions: &[Regions; 4],
     method: Method,
-) -> Result<Vec<Shortcut>, Refused> {
+) -> Result<(Polygon, Vec<Shortcut>), Refused> {
     let union = &regions[0].regions;
-    let first = Polygon { rule: Rule::NonZero, ..Polygon::from(union.as_slice()) };
-    let wholes = overlay(session, [&first, b], method)?;
     let mut all = Vec::new();
     for (operation, whole) in Operation::ALL.into_iter().zip(regions) {
-        let name = operation.name();
-        all.push(Shortcut { name, short: operate(session, [a, b], operation, method)?, whole: whole.clone() });
-        let short = combine(session, union, b, operation, method)?;
-        all.push(Shortcut { name, short, whole: wholes.regions(operation) });
+        let short = operate(session, [a, b], operation, method)?;
+        all.push(Shortcut { name: operation.name(), short, whole: whole.clone() });
     }
-    Ok(all)
+    let with_triangle = with_triangle(session.scene(), b);
+    let mut whole = |third: Polygon| {
+        let whole = overlay(session, [&Polygon::from(union.as_slice()), &third], method)?;
+        Ok((third, whole))
+    };
+    // A session may refuse to construct points of other edges than those of the scene.
+    let (third, wholes) = whole(with_triangle).or_else(|_: Refused| whole(b.clone()))?;
+    for operation in Operation::ALL {
+        let short = combine(session, union, &third, operation, method)?;
+        all.push(Shortcut { name: operation.name(), short, whole: wholes.regions(operation) });
+    }
+    Ok((third, all))
+}
+
+/// The second operand and a triangle of input vertices. Where an edge of the scene is not in a result, an edge of the
+/// triangle may meet the result.
+fn with_triangle(scene: &Scene, second: &Polygon) -> Polygon {
+    let corners = [0, 1, 2].map(|part| Vertex::input(part * scene.len() / 3)).to_vec();
+    let triangle = Polygon::of_vertices(&[corners], second.rule);
+    Polygon { loops: [&second.loops[..], &triangle.loops].concat(), rule: second.rule }
 }
 
 impl Overlaid {
@@ -87,11 +105,11 @@ impl Overlaid {
     /// # Errors
     /// [`Refused`] if the session does not construct a crossing.
     fn of(session: &mut dyn Predicates, content: &Layered, purpose: Purpose) -> Result<Overlaid, Refused> {
-        let (overlay, regions, shortcuts) = match content.operands() {
+        let (overlay, regions, (third, shortcuts)) = match content.operands() {
             None => {
                 let mut overlay = Overlay::default();
                 overlay.arrangement = arrange(session, &content.edges(), content.method)?;
-                (overlay, <[Regions; 4]>::default(), Vec::new())
+                (overlay, <[Regions; 4]>::default(), Default::default())
             }
             Some([a, b]) => {
                 let overlay = overlay(session, [&a, &b], content.method)?;
@@ -106,7 +124,7 @@ impl Overlaid {
         let vertices = &overlay.arrangement.vertices;
         let rounds = vertices.iter().any(|&v| v.is_constructed() && rounded(v).is_some());
         let rounded = rounds.then(|| vertices.iter().map(|&v| rounded(v).unwrap_or_default()).collect());
-        Ok(Overlaid { overlay, regions, scene: Some(session.scene().clone()), rounded, shortcuts })
+        Ok(Overlaid { overlay, regions, scene: Some(session.scene().clone()), rounded, shortcuts, third })
     }
 
     /// A name of a vertex that does not depend on other constructions.
