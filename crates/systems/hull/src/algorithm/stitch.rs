@@ -15,7 +15,7 @@ use super::Contradiction;
 use std::collections::{HashMap, HashSet};
 
 use predicament_mesh::half_edge::{Face, HalfEdge, HalfEdgeMesh, IndexedFaces, MeshVertex};
-use predicament_predicates::{Axis, Plane, Predicates, Sign, Vertex};
+use predicament_predicates::{Plane, Predicates, Sign, Vertex};
 
 use super::plane::{PlaneMethod, flat};
 use super::scratch::NONE;
@@ -109,8 +109,8 @@ impl Stitch<'_> {
                 );
             }
         }
-        let plane = if session.compare(Axis::X, a, b) == Sign::Zero { Plane::Yz } else { Plane::Zx };
-        let polygon = self.polygon(plane, &here);
+        // (These two differ in x: the second part has a volume to their right, and nothing of it is below their line.)
+        let polygon = self.polygon(Plane::Zx, &here);
         let mut edges = polygon.iter().zip(polygon.iter().cycle().skip(1));
         let bridge = edges.find_map(|(&a, &b)| match [a.part, b.part] {
             [0, 1] => Some([a, b]),

@@ -86,7 +86,8 @@ impl MeshIndex {
         // The last step of the previous cells.
         let mut before = None;
         self.grid().along(p, Ray::UP, |slot, entries, last| {
-            if entries.is_empty() && nearest.is_none() {
+            // Every cell up to the end of the nearest triangle lists it.
+            if entries.is_empty() {
                 found = labels.get(slot).map(Location::In);
                 before = Some(last);
                 return found.is_some();

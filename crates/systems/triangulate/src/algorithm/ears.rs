@@ -146,7 +146,7 @@ struct Ears<'a, 'b, P: ?Sized> {
     ranks: Vec<[u32; 2]>,
     next: Vec<u32>,
     previous: Vec<u32>,
-    /// The corners that are not convex.
+    /// The corners that are not convex; once convex, a corner counts as convex.
     is_reflex: Vec<bool>,
     reflex: Reflex,
     /// Candidate ears.
@@ -214,7 +214,7 @@ impl<'a, 'b, P: Predicates + ?Sized> Ears<'a, 'b, P> {
                 continue;
             };
             self.is_queued[corner as usize] = false;
-            if self.next[corner as usize] == NONE || self.is_reflex[corner as usize] {
+            if self.next[corner as usize] == NONE {
                 continue;
             }
             match self.blocker(corner) {
@@ -304,17 +304,12 @@ impl<'a, 'b, P: Predicates + ?Sized> Ears<'a, 'b, P> {
         }
     }
 
-    /// Cuts some corner where no corner is an ear, and returns a corner near it. If a vertex is on an edge, this cuts a
-    /// triangle without area; otherwise signs are wrong, and any corner will do. Returns `None` if the mesh accepts no
-    /// cut.
+    /// Cuts some corner where no corner is an ear, and returns a corner near it; `near` is a corner that is left. If a
+    /// vertex is on an edge, this cuts a triangle without area; otherwise signs are wrong, and any corner will do.
+    /// Returns `None` if the mesh accepts no cut.
     fn without_ears(&mut self, near: u32, out: &mut Output) -> Option<u32> {
-        let first = if self.next[near as usize] == NONE {
-            (0..).zip(&self.next).find(|(_, next)| **next != NONE).map(|(corner, _)| corner)?
-        } else {
-            near
-        };
         let mut all = Vec::with_capacity(self.left);
-        let mut at = first;
+        let mut at = near;
         for _ in 0..self.left {
             all.push(at);
             at = self.next[at as usize];

@@ -60,7 +60,7 @@ pub fn triangulate_few<P: Predicates + ?Sized>(
     let mut waiting: Vec<[usize; 2]> = Vec::new();
     while ears.left > 3 {
         let at = ears.next_in_queue()?;
-        if ears.is_cut >> at & 1 == 1 || ears.is_reflex >> at & 1 == 1 {
+        if ears.is_cut >> at & 1 == 1 {
             continue;
         }
         let [a, b, c] = ears.around(at);

@@ -19,7 +19,7 @@ pub(crate) enum Line {
 }
 
 /// A session about vertices of a plane, each an input vertex of a 2D scene at the nearest doubles; all signs are those
-/// of the session in space.
+/// of the session in space, which has exact zeros: several vertices may be one there.
 ///
 /// Unequal nearest doubles have the order of the exact coordinates: if segments meet, their boxes in doubles have a
 /// point in common too.
@@ -80,8 +80,6 @@ impl InPlane<'_> {
         let args = args.map(|v| self.vertex(v));
         let in_space = match question {
             Question::Compare(axis) => Question::Compare(self.plane.axes()[axis.index()]),
-            // The scene has two vertices for a point without segments.
-            Question::Orient2d(_) if (1..N).any(|at| args[..at].contains(&args[at])) => return Sign::Zero,
             Question::Orient2d(_) => Question::Orient2d(self.plane),
             other => unreachable!("no overlay in a plane asks for {}", other.kind()),
         };

@@ -229,10 +229,9 @@ fn uncovered(
         }
         let mut edges = Vec::new();
         for Border { times, ends: [from, to], line, .. } in border.into_values() {
+            // (Parts of one side border on each other: a second use of an edge goes back.)
             if times != 0 && from != to {
-                let edge = Edge::whole(from, to);
-                let edge = if times > 0 { edge } else { edge.reversed() };
-                edges.extend(std::iter::repeat_n(edge, times.unsigned_abs() as usize));
+                edges.push(Edge::whole(from, to));
                 lines.extend(line.map(|line| ([from, to], line)));
             }
         }

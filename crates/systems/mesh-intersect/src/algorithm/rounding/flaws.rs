@@ -122,12 +122,12 @@ pub fn flaw(session: &dyn Predicates, first: [u32; 3], second: [u32; 3]) -> Opti
             (in_plane && is_one_side(session, [vertex(p), vertex(q)], apices)).then_some(Flaw::Fold)
         }
         [p] => {
-            let (p, opposite) = (vertex(p), |triangle: [Vertex; 3], p: Vertex| {
-                let at = triangle.iter().position(|&v| v == p).unwrap_or_default();
+            // On a line from p to another common point, the nearer of the two opposite edges is in the other triangle.
+            let opposite = |triangle: [Vertex; 3]| {
+                let at = triangle.iter().position(|&v| v == vertex(p)).unwrap_or_default();
                 [triangle[(at + 1) % 3], triangle[(at + 2) % 3]]
-            });
-            let meets =
-                meet(session, opposite(t, p), u) || meet(session, opposite(u, p), t) || overlap_at(session, p, [t, u]);
+            };
+            let meets = meet(session, opposite(t), u) || meet(session, opposite(u), t);
             meets.then_some(Flaw::Crossing)
         }
         _ => {
@@ -171,40 +171,4 @@ fn meet_in_plane(session: &dyn Predicates, [p, q]: [Vertex; 2], [a, b, c]: [Vert
     let sides = [a, b, c].map(|v| session.orient2d(plane, p, q, v));
     let is_aside = !sides[0].is_zero() && sides.iter().all(|side| *side == sides[0]);
     !(beyond(a, b) || beyond(b, c) || beyond(c, a) || is_aside)
-}
-
-/// True if two triangles in one plane with one common vertex have more than that in common there: an edge of one goes
-/// into the other, or along one of its edges.
-fn overlap_at(session: &dyn Predicates, p: Vertex, [first, second]: [[Vertex; 3]; 2]) -> bool {
-    let [a, b, c] = first;
-    if second.iter().any(|&v| v != p && !session.orient3d(a, b, c, v).is_zero()) {
-        return along_edge(session, p, [first, second]);
-    }
-    let planes = [Plane::Xy, Plane::Yz, Plane::Zx].into_iter();
-    let seen = planes.map(|plane| (plane, session.orient2d(plane, a, b, c))).find(|(_, turn)| !turn.is_zero());
-    let Some((plane, _)) = seen else { return true };
-    let ends = |triangle: [Vertex; 3]| {
-        let at = triangle.iter().position(|&v| v == p).unwrap_or_default();
-        let [u, v] = [triangle[(at + 1) % 3], triangle[(at + 2) % 3]];
-        if session.orient2d(plane, p, u, v) == Sign::Negative { [v, u] } else { [u, v] }
-    };
-    let [first, second] = [ends(first), ends(second)];
-    let turn = |v: Vertex, w: Vertex| session.orient2d(plane, p, v, w);
-    // The two wedges have a direction in common.
-    let is_inside = |[u, v]: [Vertex; 2], w: Vertex| turn(u, w) != Sign::Negative && turn(w, v) != Sign::Negative;
-    first.iter().any(|&w| is_inside(second, w)) || second.iter().any(|&w| is_inside(first, w))
-}
-
-/// True if an edge of one triangle at a common vertex has the direction of an edge of the other, which is in another
-/// plane.
-fn along_edge(session: &dyn Predicates, p: Vertex, [first, second]: [[Vertex; 3]; 2]) -> bool {
-    let others = |triangle: [Vertex; 3]| triangle.into_iter().filter(move |&v| v != p);
-    others(first).any(|v| others(second).any(|w| is_same_way(session, p, v, w)))
-}
-
-/// True if two vertices are in the same direction from a third.
-fn is_same_way(session: &dyn Predicates, p: Vertex, v: Vertex, w: Vertex) -> bool {
-    use predicament_predicates::Axis::{X, Y, Z};
-    [Plane::Xy, Plane::Yz, Plane::Zx].into_iter().all(|plane| session.orient2d(plane, p, v, w).is_zero())
-        && [X, Y, Z].into_iter().all(|axis| session.compare(axis, v, p) == session.compare(axis, w, p))
 }

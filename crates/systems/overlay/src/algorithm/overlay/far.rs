@@ -9,7 +9,7 @@
 //! The leftmost vertex of each loop is needed to find the face around its component; in vertices of several loops the
 //! loops touch. The edges at these vertices are not part of a run.
 
-use predicament_predicates::{Dimension, Predicates, Scene, Vertex};
+use predicament_predicates::{Predicates, Scene, Vertex};
 
 use super::polygon::{Edge, Polygon, Region};
 use super::reach::Extent;
@@ -82,8 +82,7 @@ struct Chart<'a> {
 impl<'a> Chart<'a> {
     fn new(session: &'a dyn Predicates, known: &'a mut Known) -> Chart<'a> {
         let scene = session.scene();
-        let are_points = scene.dimension() == Dimension::Two && scene.constructions().is_empty();
-        let points = are_points.then(|| scene.coordinates().as_chunks().0);
+        let points = scene.constructions().is_empty().then(|| scene.coordinates().as_chunks().0);
         Chart { session, known, points, at: Vec::new(), spots: Vec::new() }
     }
 

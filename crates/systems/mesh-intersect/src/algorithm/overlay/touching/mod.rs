@@ -152,7 +152,8 @@ fn by_cases(
         constructions: Vec::new(),
     };
     for mesh in 0..2 {
-        let is_on_other = |v: Vertex| is_on[mesh][v.index()] || stands.is_of_both(v);
+        // (Pairs of twins are left out, and no twin is divided.)
+        let is_on_other = |v: Vertex| is_on[mesh][v.index()];
         let dividing = Dividing {
             session,
             mesh,

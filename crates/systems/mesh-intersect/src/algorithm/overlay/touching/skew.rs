@@ -75,7 +75,8 @@ fn interval(triangle: &Triangle, sides: [Sign; 3], left: Sign) -> Option<Interva
 /// The sign of the position of the second triangle's end less that of the first one's, along the line.
 fn ahead(session: &dyn Predicates, first: &End, second: &End) -> Sign {
     let ([a, b], [c, d]) = (first.corners, second.corners);
-    if a == c || a == d || b == c || b == d {
+    // No other two are one vertex: the second corners are off the other triangle's plane.
+    if a == c {
         return Sign::Zero;
     }
     -session.orient3d(c, d, a, b) * first.side * second.side
