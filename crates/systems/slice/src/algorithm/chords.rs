@@ -4,7 +4,10 @@
 //! if two counts up to there are odd: of the edges that went off to the positive side, and of those that went off to
 //! the negative side. If only one count is odd, an edge lies there. A cap is one face of several loops, and these loops
 //! can touch: corners in one point are taken in the order in which the line passes them, and may be joined by an edge
-//! without length.
+//! without length. Where two loops have an edge in common both counts are odd, and nothing is to be split.
+
+use std::cmp::Ordering;
+use std::collections::BTreeMap;
 
 use predicament_mesh::half_edge::{Face, HalfEdge, MeshVertex, OperationError};
 use predicament_predicates::{Axis, Sign, Vertex};
@@ -21,6 +24,8 @@ struct Corner {
     at: HalfEdge,
     before: Sign,
     after: Sign,
+    /// The number of its edges on the line ahead, less those behind.
+    ahead: i32,
 }
 
 /// Data that all chords of a face have in common.
@@ -61,7 +66,7 @@ impl Cutter<'_> {
                     Sign::Positive => above = Some(self.mesh.end(h)),
                     Sign::Zero => {
                         let [before, after] = [self.mesh.start(h), self.mesh.end(self.mesh.next(h))];
-                        corners.push(Corner { at: h, before: self.sign(before), after: self.sign(after) });
+                        corners.push(Corner { at: h, before: self.sign(before), after: self.sign(after), ahead: 0 });
                     }
                 }
             }
@@ -74,12 +79,9 @@ impl Cutter<'_> {
             line: None,
         };
         let (ends, up) = self.sort_along(&mut corners, &split, above);
-        let before = faces.len();
-        self.join(&corners, &ends, up, &mut split, faces)?;
-        if split.cap.is_some() || faces.len() > before {
-            self.faces_split += 1;
-        }
-        Ok(())
+        self.count_ahead(&mut corners, &ends);
+        self.faces_split += 1;
+        self.join(&corners, &ends, up, &mut split, faces)
     }
 
     /// Sorts corners along the line. Returns the ends of the groups in one point, and the side that is up: on the left
@@ -107,6 +109,22 @@ impl Cutter<'_> {
         (ends, if up == Sign::Negative { Sign::Negative } else { Sign::Positive })
     }
 
+    /// Counts the edges of each corner that are on the line.
+    fn count_ahead(&self, corners: &mut [Corner], ends: &[usize]) {
+        if corners.iter().all(|corner| !corner.after.is_zero()) {
+            return;
+        }
+        let group = |at: usize| ends.partition_point(|&end| end <= at);
+        let of: BTreeMap<HalfEdge, usize> = corners.iter().map(|corner| corner.at).zip(0..).collect();
+        for at in 0..corners.len() {
+            if let Some(&next) = of.get(&self.mesh.next(corners[at].at)) {
+                let ahead = i32::from(group(at) < group(next)) - i32::from(group(at) > group(next));
+                corners[at].ahead += ahead;
+                corners[next].ahead -= ahead;
+            }
+        }
+    }
+
     /// The turn of three vertices, as the face is seen from outside.
     fn turn(&self, split: &Split, [a, b]: [Vertex; 2], c: Vertex) -> Sign {
         let Some((plane, reversed)) = self.seen(split.support) else { return Sign::Zero };
@@ -124,6 +142,8 @@ impl Cutter<'_> {
         faces: &mut Vec<Face>,
     ) -> Result<(), Halt> {
         let mut inside = [false; 2];
+        // The number of edges on the line from the last corner on.
+        let mut edges = 0;
         let mut from: Option<HalfEdge> = None;
         let mut start = 0;
         for &end in ends {
@@ -131,7 +151,7 @@ impl Cutter<'_> {
             start = end;
             let alone = here.len() == 1;
             while !here.is_empty() {
-                let corner = here.remove(next_in_point(&here, inside == [true; 2], up));
+                let corner = here.remove(next_in_point(&here, up));
                 let arrived = match from {
                     // A corner in one point with others, which the line does not pass through.
                     Some(_) if !alone && !self.may_open(split, &corner) => continue,
@@ -141,7 +161,8 @@ impl Cutter<'_> {
                 for (inside, side) in inside.iter_mut().zip([Sign::Negative, Sign::Positive]) {
                     *inside ^= (corner.before == side) ^ (corner.after == side);
                 }
-                from = (inside == [true; 2]).then(|| match arrived {
+                edges += corner.ahead;
+                from = (inside == [true; 2] && edges == 0).then(|| match arrived {
                     // The chord that arrives divides the corner: the line continues from the half that is open to the
                     // right.
                     Some(chord) if corner.before != up => chord,
@@ -155,7 +176,7 @@ impl Cutter<'_> {
     /// True if the line may pass through the inside at a corner; false if the corner touches the line with a convex
     /// angle.
     fn may_open(&self, split: &Split, corner: &Corner) -> bool {
-        if corner.before != corner.after || corner.before.is_zero() {
+        if corner.before != corner.after {
             return true;
         }
         let [a, b, c] =
@@ -219,13 +240,12 @@ impl Cutter<'_> {
     }
 }
 
-/// The index of the corner that the line passes next, among corners in one point. From outside, it is a corner where
-/// the line enters; from inside, a corner where it leaves; if there is no such corner, one that only touches the line.
-fn next_in_point(here: &[Corner], inside: bool, up: Sign) -> usize {
-    let wanted = |c: &Corner| {
-        let [before, after] = [c.before * up, c.after * up];
-        if inside { before < after } else { before > after }
+/// The index of the corner that the line passes next, among corners in one point: of those that it comes from, along
+/// an edge or through the inside; then of those that only touch it; then of those that it goes on to.
+fn next_in_point(here: &[Corner], up: Sign) -> usize {
+    let rank = |&at: &usize| {
+        let [before, after] = [here[at].before * up, here[at].after * up];
+        if here[at].ahead < 0 { Ordering::Less } else { before.cmp(&after) }
     };
-    let touches = |c: &Corner| c.before == c.after;
-    here.iter().position(wanted).or_else(|| here.iter().position(touches)).unwrap_or(0)
+    (0..here.len()).min_by_key(rank).unwrap_or(0)
 }

@@ -104,13 +104,19 @@ impl Near<'_> {
         turns[0] != Ordering::Equal && turns == [turns[0]; 3]
     }
 
-    /// True if edges of two triangles in one plane cross, or a corner of one is inside the other.
+    /// True if edges of two triangles in one plane cross, or a corner of one is inside the other. Triangles without a
+    /// common edge may look in opposite directions: two solids of a mesh may stand on each other.
     fn overlap(&self, first: [u32; 3], second: [u32; 3]) -> bool {
         let Some(axis) = self.rows.plane(first).axis() else { return false };
         let turn = |[a, b]: [u32; 2], c: u32| {
             let exact = || self.rows.area([a, b, c], axis);
             if c == a || c == b { Ordering::Equal } else { self.rounded.area([a, b, c], axis).unwrap_or_else(exact) }
         };
+        let looks = |[a, b, c]: [u32; 3]| turn([a, b], c);
+        let has_edge = first.iter().filter(|p| second.contains(p)).count() == 2;
+        if !has_edge && looks(first) == looks(second).reverse() {
+            return false;
+        }
         let opposite = |x: Ordering, y: Ordering| x != Ordering::Equal && x == y.reverse();
         let edges = |[a, b, c]: [u32; 3]| [[a, b], [b, c], [c, a]];
         // The turns of one triangle's corners by each edge of the other.
