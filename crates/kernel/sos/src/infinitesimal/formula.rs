@@ -8,58 +8,81 @@ use std::collections::BTreeMap;
 
 use predicament_predicates::formula::{Ring, interpret};
 use predicament_predicates::{Derived, Scene, Sign, Vertex};
-use rug::Rational;
+use rug::{Integer, Rational};
+use smallvec::{SmallVec, smallvec};
 
 use crate::Scheme;
 
+/// Powers of infinitesimals: those of five vertices with four coordinates need no allocation.
+type Powers = SmallVec<[u8; 20]>;
+
 /// A polynomial in infinitesimals: the powers of each product, and its coefficient, which is not zero.
 ///
-/// A list of powers is empty if all powers are zero.
+/// A list of powers is empty if all powers are zero. The coefficients are integers in units of one power of two, so
+/// that no fraction is reduced.
 #[derive(Clone, Default)]
-struct Series(BTreeMap<Vec<u8>, Rational>);
+struct Series {
+    terms: BTreeMap<Powers, Integer>,
+    exponent: i32,
+}
 
 impl Series {
-    fn gain(&mut self, powers: Vec<u8>, coefficient: Rational) {
-        let sum = self.0.entry(powers).or_default();
+    fn gain(&mut self, powers: Powers, coefficient: Integer) {
+        let sum = self.terms.entry(powers).or_default();
         *sum += coefficient;
     }
 
     fn without_zeros(mut self) -> Series {
-        self.0.retain(|_, coefficient| !coefficient.is_zero());
+        self.terms.retain(|_, coefficient| !coefficient.is_zero());
         self
+    }
+
+    /// One product of infinitesimals.
+    fn infinitesimal(powers: Powers) -> Series {
+        Series { terms: BTreeMap::from([(powers, Integer::from(1))]), exponent: 0 }
+    }
+
+    /// The same polynomial in units of 2^exponent, which is at most the present unit.
+    fn in_units(mut self, exponent: i32) -> Series {
+        let shift = self.exponent.abs_diff(exponent);
+        self.terms.values_mut().for_each(|coefficient| *coefficient <<= shift);
+        Series { exponent, ..self }
     }
 
     /// The sign if all infinitesimals are positive: that of the largest product.
     fn sign(&self) -> Sign {
-        self.0.first_key_value().map_or(Sign::Zero, |(_, coefficient)| coefficient.cmp0().into())
+        self.terms.first_key_value().map_or(Sign::Zero, |(_, coefficient)| coefficient.cmp0().into())
     }
 }
 
 impl Ring for Series {
     fn whole(number: f64) -> Series {
-        let mut series = Series::default();
-        series.gain(Vec::new(), Rational::from_f64(number).unwrap_or_default());
+        let (value, denominator) = Rational::from_f64(number).unwrap_or_default().into_numer_denom();
+        let exponent = 1 - i32::try_from(denominator.significant_bits()).expect("1,075 bits at most");
+        let mut series = Series { terms: BTreeMap::new(), exponent };
+        series.gain(Powers::new(), value);
         series.without_zeros()
     }
 
     fn plus(&self, other: &Series, minus: bool) -> Series {
-        let mut sum = self.clone();
-        for (powers, coefficient) in &other.0 {
-            sum.gain(powers.clone(), if minus { Rational::from(-coefficient) } else { coefficient.clone() });
+        let exponent = self.exponent.min(other.exponent);
+        let [mut sum, other] = [self, other].map(|series| series.clone().in_units(exponent));
+        for (powers, coefficient) in other.terms {
+            sum.gain(powers, if minus { -coefficient } else { coefficient });
         }
         sum.without_zeros()
     }
 
     fn times(&self, other: &Series) -> Series {
-        let mut product = Series::default();
-        for (left, a) in &self.0 {
-            for (right, b) in &other.0 {
+        let mut product = Series { terms: BTreeMap::new(), exponent: self.exponent + other.exponent };
+        for (left, a) in &self.terms {
+            for (right, b) in &other.terms {
                 let powers = match (left.is_empty(), right.is_empty()) {
                     (true, _) => right.clone(),
                     (_, true) => left.clone(),
                     _ => left.iter().zip(right).map(|(x, y)| x + y).collect(),
                 };
-                product.gain(powers, Rational::from(a * b));
+                product.gain(powers, Integer::from(a * b));
             }
         }
         product.without_zeros()
@@ -78,7 +101,7 @@ pub(super) fn judge(scheme: Scheme, scene: &Scene, derived: Derived, vertices: &
     moved(scene, derived, vertices, |argument, axis| {
         let within = if scheme == Scheme::PerCoordinate { axis } else { count - 1 - axis };
         // The first power is that of the smallest infinitesimal.
-        let mut powers = vec![0; places];
+        let mut powers = smallvec![0; places];
         powers[places - 1 - (ranks[argument] * count + within)] = 1;
         Some(powers)
     })
@@ -89,7 +112,7 @@ pub(super) fn judge_per_mesh(scene: &Scene, derived: Derived, vertices: &[Vertex
     let second = scene.second_mesh().unwrap_or_default();
     moved(scene, derived, vertices, |argument, axis| {
         let moves = second.get(vertices[argument].index()).copied().unwrap_or(false);
-        moves.then(|| vec![u8::try_from(axis + 1).unwrap_or(u8::MAX)])
+        moves.then(|| smallvec![u8::try_from(axis + 1).unwrap_or(u8::MAX)])
     })
 }
 
@@ -98,19 +121,46 @@ fn moved(
     scene: &Scene,
     derived: Derived,
     vertices: &[Vertex],
-    powers: impl Fn(usize, usize) -> Option<Vec<u8>>,
+    powers: impl Fn(usize, usize) -> Option<Powers>,
 ) -> Sign {
     let points = derived.with_points(scene, vertices, |points| {
         let coordinate = |argument: usize, (axis, &x): (usize, &f64)| {
-            let mut moved = Series::whole(x);
-            if let Some(powers) = powers(argument, axis) {
-                moved.gain(powers, Rational::from(1));
+            let still = Series::whole(x);
+            match powers(argument, axis) {
+                Some(powers) => still.plus(&Series::infinitesimal(powers), false),
+                None => still,
             }
-            moved
         };
         let point =
             |(argument, point): (usize, &&[f64])| point.iter().enumerate().map(|at| coordinate(argument, at)).collect();
         points.iter().enumerate().map(point).collect()
     });
     interpret(derived.formula(), points).map_or(Sign::Zero, |value| value.sign())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// (x + ε)(y + δ) for doubles of all magnitudes: its coefficients are xy, x, y and 1, in whatever unit.
+    #[test]
+    fn units_change_no_polynomial() {
+        let numbers = [0.0, 1.0, -0.75, 1e300, f64::MIN_POSITIVE, -f64::from_bits(3)];
+        let rational = |x: f64| Rational::from_f64(x).expect("finite");
+        for x in numbers {
+            for y in numbers {
+                let moved = |x, powers| Series::whole(x).plus(&Series::infinitesimal(powers), false);
+                let product = moved(x, smallvec![1, 0]).times(&moved(y, smallvec![0, 1]));
+                let of = |series: &Series, powers: &[u8]| {
+                    let coefficient = series.terms.get(powers).cloned().unwrap_or_default();
+                    Rational::from(coefficient) << series.exponent
+                };
+                let found = [&[][..], &[0, 1], &[1, 0], &[1, 1]].map(|powers| of(&product, powers));
+                assert_eq!(found, [rational(x) * rational(y), rational(x), rational(y), Rational::from(1)], "{x} {y}");
+                let difference = Series::whole(x).plus(&Series::whole(y), true);
+                assert_eq!(of(&difference, &[]), rational(x) - rational(y));
+                assert_eq!(product.plus(&product, true).sign(), Sign::Zero, "{x} {y}");
+            }
+        }
+    }
 }
