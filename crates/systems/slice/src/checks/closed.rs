@@ -3,6 +3,7 @@
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
+use super::crossing::Near;
 use super::exact::Plane;
 use super::{Check, Expected, Flaws, Part, Slices};
 
@@ -36,7 +37,7 @@ impl Slices {
     }
 
     /// Checks that no part has points on both sides of a plane; returns the side of each part and plane.
-    pub(super) fn sides(&self, flaws: &mut Flaws) {
+    pub(super) fn sides(&self, near: &Near<'_>, flaws: &mut Flaws) {
         let mut used: Vec<Vec<u32>> = self.parts.iter().map(|part| part.triangles.as_flattened().to_vec()).collect();
         for points in &mut used {
             points.sort_unstable();
@@ -44,14 +45,14 @@ impl Slices {
         }
         // Side by part and plane, for caps.
         let mut sides: BTreeMap<(usize, usize), Ordering> = BTreeMap::new();
-        for (place, &plane) in self.planes.iter().enumerate() {
-            let plane = Plane::of(self.points(plane));
+        for (place, &corners) in self.planes.iter().enumerate() {
+            let plane = near.across(corners);
             // One point can be in several parts.
             let mut known: Vec<Option<Ordering>> = vec![None; self.points.len()];
             for (at, points) in used.iter().enumerate() {
                 let mut first: [Option<u32>; 2] = [None; 2];
                 for &p in points {
-                    let side = *known[p as usize].get_or_insert_with(|| plane.side(&self.points[p as usize]));
+                    let side = *known[p as usize].get_or_insert_with(|| plane.side(p));
                     match side {
                         Ordering::Less => first[0].get_or_insert(p),
                         Ordering::Equal => continue,
@@ -63,6 +64,7 @@ impl Slices {
                     [None, Some(_)] => Ordering::Greater,
                     [None, None] => Ordering::Equal,
                     [Some(below), Some(above)] => {
+                        let plane = Plane::of(self.points(corners));
                         let reach = |on: Ordering| {
                             let there = points.iter().filter(|&&p| known[p as usize] == Some(on));
                             there.map(|&p| plane.distance(&self.points[p as usize])).fold(0.0, f64::max)
@@ -79,6 +81,6 @@ impl Slices {
                 sides.insert((at, place), side);
             }
         }
-        self.caps(&sides, flaws);
+        self.caps(near, &sides, flaws);
     }
 }

@@ -5,17 +5,17 @@ use std::cmp::Ordering;
 
 use predicament_judge::boxes::{Boxes, Extent, extent};
 
-use super::homogeneous::Rows;
+use super::exact::Point;
+use super::homogeneous::{Plane, Rows};
 use super::rounded::Rounded;
 use super::{Check, Expected, Flaws, Part, Piece, Slices};
 
 impl Slices {
     /// Compares triangles of each part with those near them: they may touch, but not pass through each other. Covers of
     /// open loops are not planar and may pass through anything.
-    pub(super) fn crossings(&self, expected: Expected, flaws: &mut Flaws) {
+    pub(super) fn crossings(&self, near: &Near<'_>, expected: Expected, flaws: &mut Flaws) {
         let step = self.triangles().div_ceil(expected.triangles_crossed.max(1)).max(1);
         let mut number = 0;
-        let near = Near { rounded: Rounded::of(&self.points), rows: Rows::of(&self.points) };
         for (at, part) in self.parts.iter().enumerate() {
             let Some((index, reach)) = self.index(part) else { continue };
             let mut others = Vec::new();
@@ -25,12 +25,13 @@ impl Slices {
                     continue;
                 }
                 index.near(&index.all()[place], reach, &mut others);
+                let plane = near.across(triangle);
                 for other in others.iter().map(|&other| other as usize) {
                     if other == place || part.pieces[other] == Piece::Cover {
                         continue;
                     }
                     let other = part.triangles[other];
-                    if near.pass(triangle, other, expected) {
+                    if near.pass(&plane, other, expected) {
                         flaws.add(Check::SelfIntersection, &[triangle, other].concat(), || {
                             format!("two triangles of part {at} pass through each other")
                         });
@@ -55,19 +56,32 @@ impl Slices {
 }
 
 /// Points of triangles near each other: rounded, and as integers where rounding may have changed a sign.
-struct Near<'a> {
+pub(super) struct Near<'a> {
     rounded: Rounded,
-    rows: Rows<'a>,
+    pub(super) rows: Rows<'a>,
 }
 
-impl Near<'_> {
+impl<'a> Near<'a> {
+    pub(super) fn of(points: &'a [Point]) -> Near<'a> {
+        Near { rounded: Rounded::of(points), rows: Rows::of(points) }
+    }
+
+    /// Records a triangle without area.
+    pub(super) fn needs_area(&self, triangle: [u32; 3], flaws: &mut Flaws) {
+        let is_certain = |axis| self.rounded.area(triangle, axis).is_some();
+        if !(0..3).any(is_certain) && self.rows.plane(triangle).axis().is_none() {
+            flaws.add(Check::Degenerate, &triangle, || "a triangle has no area".to_owned());
+        }
+    }
+
     /// True if an edge of one triangle passes through the inside of the other, or edges of both cross in a common
     /// plane. Faces of a part without volume may lie on each other; breaking ties makes such parts.
-    fn pass(&self, first: [u32; 3], second: [u32; 3], expected: Expected) -> bool {
+    fn pass(&self, plane: &Across<'_>, second: [u32; 3], expected: Expected) -> bool {
+        let first = plane.corners;
         if first.iter().all(|p| second.contains(p)) {
             return false;
         }
-        let of_second = self.sides_of(first, second);
+        let of_second = second.map(|p| plane.side(p));
         if of_second == [Ordering::Equal; 3] {
             return expected.has_areas && self.overlap(first, second);
         }
@@ -75,7 +89,8 @@ impl Near<'_> {
         if !(of_second.contains(&Ordering::Less) && of_second.contains(&Ordering::Greater)) {
             return false;
         }
-        let of_first = self.sides_of(second, first);
+        let other = self.across(second);
+        let of_first = first.map(|p| other.side(p));
         let pierces = |edges: [u32; 3], sides: [Ordering; 3], triangle: [u32; 3]| {
             (0..3).any(|i| {
                 let j = (i + 1) % 3;
@@ -86,21 +101,19 @@ impl Near<'_> {
         pierces(second, of_second, first) || pierces(first, of_first, second)
     }
 
-    /// The sides of points on the plane of a triangle; the triangle's own corners are on it.
-    fn sides_of<const N: usize>(&self, corners: [u32; 3], points: [u32; N]) -> [Ordering; N] {
-        let plane = OnceCell::new();
-        let exact = |p: u32| self.rows.side(plane.get_or_init(|| self.rows.plane(corners)), p);
-        points.map(|p| {
-            if corners.contains(&p) {
-                return Ordering::Equal;
-            }
-            self.rounded.side(corners, p).unwrap_or_else(|| exact(p))
-        })
+    /// The side of a point on the plane of a triangle; the triangle's own corners are on it.
+    fn side_of(&self, corners: [u32; 3], p: u32) -> Ordering {
+        self.across(corners).side(p)
+    }
+
+    /// The plane of three points.
+    pub(super) fn across(&self, corners: [u32; 3]) -> Across<'_> {
+        Across { near: self, corners, plane: OnceCell::new() }
     }
 
     /// True if the line through an edge meets the inside of a triangle.
     fn is_inside(&self, [p, q]: [u32; 2], [a, b, c]: [u32; 3]) -> bool {
-        let turns = [[a, b], [b, c], [c, a]].map(|[x, y]| self.sides_of([p, q, x], [y])[0]);
+        let turns = [[a, b], [b, c], [c, a]].map(|[x, y]| self.side_of([p, q, x], y));
         turns[0] != Ordering::Equal && turns == [turns[0]; 3]
     }
 
@@ -134,6 +147,28 @@ impl Near<'_> {
         pairs.into_iter().any(|(i, j)| {
             opposite(by_first[i][j], by_first[i][next(j)]) && opposite(by_second[j][i], by_second[j][next(i)])
         })
+    }
+}
+
+/// The plane of three points, made exactly when rounding may have changed a side.
+pub(super) struct Across<'n> {
+    near: &'n Near<'n>,
+    pub(super) corners: [u32; 3],
+    plane: OnceCell<Plane>,
+}
+
+impl Across<'_> {
+    /// The side of a point: `Greater` in the direction of the normal.
+    pub(super) fn side(&self, p: u32) -> Ordering {
+        if self.corners.contains(&p) {
+            return Ordering::Equal;
+        }
+        self.near.rounded.side(self.corners, p).unwrap_or_else(|| self.near.rows.side(self.plane(), p))
+    }
+
+    /// The plane in integers.
+    pub(super) fn plane(&self) -> &Plane {
+        self.plane.get_or_init(|| self.near.rows.plane(self.corners))
     }
 }
 

@@ -23,11 +23,6 @@ pub(super) fn normal([a, b, c]: [&Point; 3]) -> Point {
     [0, 1, 2].map(|i| component(&u, &v, i))
 }
 
-/// One component of twice the area vector of a triangle.
-pub(super) fn area([a, b, c]: [&Point; 3], axis: usize) -> Rational {
-    component(&minus(b, a), &minus(c, a), axis)
-}
-
 pub(super) fn dot(u: &Point, v: &Point) -> Rational {
     u.iter().zip(v).map(|(x, y)| Rational::from(x * y)).sum()
 }
@@ -69,10 +64,5 @@ impl Plane {
         let Some(longest) = lengths.max().filter(|longest| !longest.is_zero()) else { return 0.0 };
         let square: Rational = self.normal.iter().map(|x| Rational::from(x / &longest).square()).sum();
         (self.height(p).abs() / longest).to_f64() / square.to_f64().sqrt()
-    }
-
-    /// An axis along which the normal is not zero.
-    pub(super) fn axis(&self) -> Option<usize> {
-        self.normal.iter().position(|x| !x.is_zero())
     }
 }

@@ -21,7 +21,10 @@ pub mod replies;
 mod rounded;
 mod volume;
 
+use crossing::Near;
 use exact::Point;
+
+pub use homogeneous::Rows;
 
 /// The claimed origin of a triangle.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -185,14 +188,14 @@ impl Slices {
     /// If an index of a point, a face or a plane is out of range.
     #[must_use]
     pub fn flaws(&self, expected: Expected) -> Vec<Flaw> {
-        let mut flaws = Flaws::default();
+        let (near, mut flaws) = (Near::of(&self.points), Flaws::default());
         self.closed(expected, &mut flaws);
-        self.sides(&mut flaws);
-        self.faces(expected, &mut flaws);
+        self.sides(&near, &mut flaws);
+        self.faces(&near, expected, &mut flaws);
         if expected.is_closed {
-            self.volumes(&mut flaws);
+            self.volumes(&near, &mut flaws);
         }
-        self.crossings(expected, &mut flaws);
+        self.crossings(&near, expected, &mut flaws);
         flaws.0.sort_by_key(|flaw| flaw.check);
         flaws.0
     }
@@ -204,9 +207,9 @@ impl Slices {
     /// As [`Slices::flaws`].
     #[must_use]
     pub fn flaws_of_pieces(&self, expected: Expected) -> Vec<Flaw> {
-        let mut flaws = Flaws::default();
-        self.faces(expected, &mut flaws);
-        self.crossings(expected, &mut flaws);
+        let (near, mut flaws) = (Near::of(&self.points), Flaws::default());
+        self.faces(&near, expected, &mut flaws);
+        self.crossings(&near, expected, &mut flaws);
         flaws.0.sort_by_key(|flaw| flaw.check);
         flaws.0
     }
@@ -219,11 +222,12 @@ impl Slices {
     /// As [`Slices::flaws`].
     #[must_use]
     pub fn flaws_of_surface(&self, expected: Expected) -> Vec<Flaw> {
-        let mut flaws = Flaws::default();
+        let (near, mut flaws) = (Near::of(&self.points), Flaws::default());
         self.closed(expected, &mut flaws);
-        self.parts.iter().flat_map(|part| &part.triangles).for_each(|triangle| self.has_area(triangle, &mut flaws));
+        let triangles = self.parts.iter().flat_map(|part| &part.triangles);
+        triangles.for_each(|&triangle| near.needs_area(triangle, &mut flaws));
         if expected.triangles_crossed > 0 {
-            self.crossings(expected, &mut flaws);
+            self.crossings(&near, expected, &mut flaws);
         }
         flaws.0.sort_by_key(|flaw| flaw.check);
         flaws.0

@@ -66,7 +66,7 @@ fn certain(value: f64, bound: f64) -> Option<Ordering> {
 mod tests {
     use rug::Rational;
 
-    use super::super::exact::{Plane, area};
+    use super::super::exact::{Plane, normal};
     use super::*;
 
     /// Points with many bits, nearly in a plane or on a line, at the origin or far from it: rounded signs are those of
@@ -96,7 +96,7 @@ mod tests {
             let [a, b, c, p, q] = [0, 1, 2, 3, 4].map(|i| &points[i]);
             let plane = Plane::of([a, b, c]);
             let sides = [(3, p), (4, q)].map(|(at, p)| (rounded.side([0, 1, 2], at), plane.side(p)));
-            let areas = [0, 1].map(|axis| (rounded.area([0, 1, 4], axis), area([a, b, q], axis).cmp0()));
+            let areas = [0, 1].map(|axis| (rounded.area([0, 1, 4], axis), normal([a, b, q])[axis].cmp0()));
             for (of, count) in [sides, areas].into_iter().zip(&mut counts) {
                 for (found, truth) in of {
                     assert!(found.is_none_or(|sign| sign == truth), "{points:?}");

@@ -2,14 +2,14 @@
 
 use rug::Rational;
 
-use super::exact::volume;
+use super::crossing::Near;
 use super::{Check, Flaws, Piece, Slices};
 use predicament_judge::sum::sum;
 
 impl Slices {
     /// Compares the sum of the parts' volumes with the mesh's, face by face and plane by plane.
-    pub(super) fn volumes(&self, flaws: &mut Flaws) {
-        let of = |triangle| volume(self.points(triangle));
+    pub(super) fn volumes(&self, near: &Near<'_>, flaws: &mut Flaws) {
+        let of = |triangle| near.rows.volume(triangle);
         let mut by_face: Vec<Vec<Rational>> = vec![Vec::new(); self.faces.len()];
         let mut by_plane: Vec<Vec<Rational>> = vec![Vec::new(); self.planes.len() + 1];
         let (mut whole, mut parts) = (Vec::new(), Vec::new());

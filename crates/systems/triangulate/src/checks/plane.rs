@@ -1,5 +1,7 @@
 //! Vertices in a coordinate plane, as integers.
 
+use std::cmp::Ordering;
+
 use predicament_predicates::{Plane, Scene, Vertex};
 use rug::{Integer, Rational};
 
@@ -70,11 +72,11 @@ impl Points {
         first
     }
 
-    pub(super) fn order(&self, a: usize, b: usize) -> std::cmp::Ordering {
+    pub(super) fn order(&self, a: usize, b: usize) -> Ordering {
         self.exact[a].cmp(&self.exact[b])
     }
 
-    pub(super) fn order_x(&self, a: usize, b: usize) -> std::cmp::Ordering {
+    pub(super) fn order_x(&self, a: usize, b: usize) -> Ordering {
         self.exact[a][0].cmp(&self.exact[b][0])
     }
 
@@ -85,9 +87,10 @@ impl Points {
         across - Integer::from(&b[1] - &a[1]) * Integer::from(&c[0] - &a[0])
     }
 
-    /// The sign of [`turn`](Points::turn).
-    pub(super) fn side(&self, a: usize, b: usize, c: usize) -> std::cmp::Ordering {
-        self.turn(a, b, c).cmp0()
+    /// The sign of [`turn`](Points::turn); most are certain in doubles.
+    pub(super) fn side(&self, a: usize, b: usize, c: usize) -> Ordering {
+        let [a_raw, b_raw, c_raw] = [a, b, c].map(|place| self.raw[place]);
+        certain(a_raw, b_raw, c_raw).unwrap_or_else(|| self.turn(a, b, c).cmp0())
     }
 
     /// The scalar product of the directions from a to b and from a to c.
@@ -116,6 +119,19 @@ impl Points {
     pub(super) fn in_scene_units(&self, doubled: &Integer) -> Rational {
         Rational::from(doubled) >> (2 * self.shift + 1)
     }
+}
+
+/// The side of c on the line from a to b in doubles; `None` if rounding may have changed it.
+///
+/// Each product is of two differences, so it goes through three roundings, and their difference through a fourth one.
+/// The error is about 2^-51 times the sum of their magnitudes; the bound is twice that. A product that underflows is
+/// off by 2^-1074 more, which is far less than a bound above 2^-900. If a bound is less or not a number, integers
+/// decide.
+fn certain(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Option<Ordering> {
+    const LEAST: f64 = f64::from_bits((1023 - 900) << 52);
+    let [left, right] = [(b[0] - a[0]) * (c[1] - a[1]), (b[1] - a[1]) * (c[0] - a[0])];
+    let (turn, bound) = (left - right, 4.0 * f64::EPSILON * (left.abs() + right.abs()));
+    (bound > LEAST && turn.abs() > bound).then(|| turn.total_cmp(&0.0))
 }
 
 #[cfg(test)]
@@ -153,6 +169,30 @@ mod tests {
         assert_eq!([&[][..], &[1], &[1, 2]].map(|corners| points.area(corners)), [0, 0, 0].map(Integer::from));
         assert_eq!(points.in_scene_units(&points.area(&[0, 1, 2])), Rational::from((3, 2)));
         assert_eq!(points.in_scene_units(&Integer::from(1)), Rational::from((1, 32)));
+    }
+
+    /// Points on a line up to a few last places, and points at the ends of the range of doubles.
+    #[test]
+    fn certain_sides_are_those_of_integers() {
+        let (a, b) = ([0.1, 0.3], [1.7, 2.9]);
+        let mut counts = [0; 2];
+        for at in 0..400_u32 {
+            let share = f64::from(at) / 300.0;
+            let x = 0.1 + share * 1.6;
+            let y = 0.3 + share * 2.6 + f64::from(at % 9).mul_add(f64::EPSILON, -4.0 * f64::EPSILON);
+            let far = if at % 2 == 0 { y } else { y + share };
+            for unit in [1.0, 2.0_f64.powi(-520), 2.0_f64.powi(600)] {
+                let [a, b, c] = [a, b, [x, far]].map(|p| p.map(|x| x * unit));
+                let scene = Scene::new(Dimension::Two, [a, b, c].concat()).unwrap();
+                let points = Points::new(&scene, Plane::Xy, false, scene.vertices());
+                let found = certain(a, b, c);
+                assert!(found.is_none_or(|side| side == points.turn(0, 1, 2).cmp0()), "{a:?} {b:?} {c:?}");
+                assert!(found.is_none() || unit == 1.0, "out of range");
+                assert_eq!(points.side(0, 1, 2), points.turn(0, 1, 2).cmp0());
+                counts[usize::from(found.is_some())] += usize::from(unit == 1.0);
+            }
+        }
+        assert!(counts.iter().all(|&count| count > 100), "{counts:?}");
     }
 
     #[test]
