@@ -102,7 +102,16 @@ impl Pattern {
             Inner::Name(name) => {
                 name == scene || name.strip_prefix(suite).and_then(|rest| rest.strip_prefix('/')) == Some(scene)
             }
-            Inner::Glob(..) => self.is_match(scene) || self.is_match(&format!("{suite}/{scene}")),
+            Inner::Glob(..) => {
+                // Most globs begin with characters that most names do not begin with.
+                let prefix = self.prefix();
+                let may_be_of_suite = match prefix.strip_prefix(suite) {
+                    Some(rest) => rest.is_empty() || rest.strip_prefix('/').is_some_and(|rest| scene.starts_with(rest)),
+                    None => suite.starts_with(prefix),
+                };
+                (scene.starts_with(prefix) && self.is_match(scene))
+                    || (may_be_of_suite && self.is_match(&format!("{suite}/{scene}")))
+            }
         }
     }
 

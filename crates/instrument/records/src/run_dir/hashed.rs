@@ -1,7 +1,8 @@
 //! A file for appending, with the SHA-256 of its whole content.
 //!
 //! Each commit of a run records the length and the digest of every table. Reading a table again for each commit would
-//! cost more than the run, so the digest grows with the file.
+//! cost more than the run, so the digest grows with the file. It is finished once for each content: most commits leave
+//! most tables as they were.
 
 use std::cell::{Cell, RefCell};
 use std::fs::File;
@@ -16,13 +17,16 @@ pub(super) fn digest(bytes: &[u8]) -> String {
 
 /// Bytes in hex digits.
 pub(super) fn hex(bytes: &[u8]) -> String {
-    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+    let digit = |half: u8| char::from_digit(u32::from(half), 16).expect("four bits");
+    bytes.iter().flat_map(|byte| [digit(byte >> 4), digit(byte & 15)]).collect()
 }
 
 /// A file with the digest of its bytes.
 pub(super) struct Hashed {
     file: File,
     so_far: RefCell<(Sha256, u64)>,
+    /// The last digest, and the number of bytes that it is of.
+    finished: RefCell<Option<(String, u64)>>,
     /// The number of bytes that the disk has.
     synced: Cell<u64>,
 }
@@ -36,7 +40,7 @@ impl Hashed {
     /// A file with these bytes, opened for appending.
     pub fn after(file: File, bytes: &[u8]) -> Hashed {
         let so_far = RefCell::new((Sha256::new_with_prefix(bytes), bytes.len() as u64));
-        Hashed { file, so_far, synced: Cell::new(0) }
+        Hashed { file, so_far, finished: RefCell::default(), synced: Cell::new(0) }
     }
 
     /// The number of bytes in the file.
@@ -46,7 +50,12 @@ impl Hashed {
 
     /// The SHA-256 of the file in hex digits.
     pub fn digest(&self) -> String {
-        hex(&self.so_far.borrow().0.clone().finalize())
+        let (so_far, length) = &*self.so_far.borrow();
+        let mut finished = self.finished.borrow_mut();
+        match &*finished {
+            Some((digest, of)) if of == length => digest.clone(),
+            _ => finished.insert((hex(&so_far.clone().finalize()), *length)).0.clone(),
+        }
     }
 
     /// Asks the disk to keep the file, unless the disk already has all of it.
