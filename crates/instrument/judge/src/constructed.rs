@@ -148,16 +148,11 @@ fn normal(u: &[Integer], v: &[Integer]) -> Vec<Integer> {
 }
 
 /// The solution of the equations by Cramer's rule, or `None` if they are linearly dependent.
-fn solve(equations: &[Equation]) -> Option<Row> {
+fn solve<'e>(equations: &'e [Equation]) -> Option<Row> {
     let with_column = |replaced: Option<usize>| {
-        let row = |Equation { a, b }: &Equation| {
-            let mut row = a.clone();
-            if let Some(column) = replaced {
-                row[column].clone_from(b);
-            }
-            row
-        };
-        determinant(&equations.iter().map(row).collect::<Vec<_>>())
+        let entry = |Equation { a, b }: &'e Equation, at| if replaced == Some(at) { b } else { &a[at] };
+        let row = |equation| (0..equations.len()).map(|at| entry(equation, at)).collect();
+        determinant(&equations.iter().map(row).collect::<Vec<Vec<&Integer>>>())
     };
     let weight = with_column(None);
     let coordinates = || (0..equations.len()).map(|i| with_column(Some(i))).collect();
@@ -172,13 +167,14 @@ fn solve(equations: &[Equation]) -> Option<Row> {
 }
 
 /// The determinant of a square matrix, by expansion along the first row.
-fn determinant(rows: &[Vec<Integer>]) -> Integer {
+fn determinant<'e>(rows: &[Vec<&'e Integer>]) -> Integer {
     let [first, others @ ..] = rows else { return Integer::from(1) };
+    if let [only] = first[..] {
+        return only.clone();
+    }
     let mut sum = Integer::new();
-    for (column, x) in first.iter().enumerate().filter(|(_, x)| !x.is_zero()) {
-        let without = |row: &Vec<Integer>| {
-            row.iter().enumerate().filter(|&(at, _)| at != column).map(|(_, x)| x.clone()).collect()
-        };
+    for (column, &x) in first.iter().enumerate().filter(|(_, x)| !x.is_zero()) {
+        let without = |row: &Vec<&'e Integer>| [&row[..column], &row[column + 1..]].concat();
         let term = determinant(&others.iter().map(without).collect::<Vec<_>>()) * x;
         if column.is_multiple_of(2) {
             sum += term;

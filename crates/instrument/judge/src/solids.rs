@@ -22,6 +22,7 @@
 
 mod boundary;
 mod integers;
+mod missed;
 
 use std::collections::BTreeMap;
 

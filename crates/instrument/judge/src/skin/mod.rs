@@ -33,7 +33,9 @@ impl Skin {
     #[must_use]
     pub fn new(triangles: Vec<Corners>) -> Skin {
         let index = Boxes::new(triangles.iter().map(|&corners| extent(corners)).collect());
-        let boundary = Boundary::new(triangles.iter().map(|corners| corners.map(|p| p.map(rational))).collect());
+        let points = triangles.as_flattened().iter().map(|p| p.map(rational)).collect();
+        let separate = (0..).step_by(3).take(triangles.len()).map(|at| [at, at + 1, at + 2]).collect();
+        let boundary = Boundary::new(points, separate);
         Skin { triangles, index, boundary }
     }
 

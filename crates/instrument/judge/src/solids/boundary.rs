@@ -9,18 +9,24 @@ type Point = [Rational; 3];
 
 /// A closed surface whose triangles are counterclockwise as seen from outside.
 pub struct Boundary {
-    triangles: Vec<[Point; 3]>,
+    points: Vec<Point>,
+    triangles: Vec<[u32; 3]>,
     /// A box of doubles around each triangle: the least and the largest of each coordinate, rounded outwards.
     boxes: Vec<[[f64; 2]; 3]>,
 }
 
 impl Boundary {
-    /// The surface with these triangles.
+    /// The surface with these triangles, as indices of points.
+    ///
+    /// # Panics
+    /// If a point does not exist.
     #[must_use]
-    pub fn new(triangles: Vec<[Point; 3]>) -> Boundary {
-        let around = |triangle: &[Point; 3]| {
+    pub fn new(points: Vec<Point>, triangles: Vec<[u32; 3]>) -> Boundary {
+        let rounded: Vec<[f64; 3]> = points.iter().map(|point| point.each_ref().map(Rational::to_f64)).collect();
+        let around = |triangle: &[u32; 3]| {
+            let corners = triangle.map(|corner| rounded[corner as usize]);
             [0, 1, 2].map(|axis: usize| {
-                let along = triangle.each_ref().map(|corner| corner[axis].to_f64());
+                let along = corners.map(|corner| corner[axis]);
                 // The conversion rounds toward zero, by less than one step between doubles.
                 let low = along.iter().fold(f64::INFINITY, |low, &x| low.min(x)).next_down();
                 let high = along.iter().fold(f64::NEG_INFINITY, |high, &x| high.max(x)).next_up();
@@ -28,7 +34,11 @@ impl Boundary {
             })
         };
         let boxes = triangles.iter().map(around).collect();
-        Boundary { triangles, boxes }
+        Boundary { points, triangles, boxes }
+    }
+
+    fn corners(&self, triangle: [u32; 3]) -> [&Point; 3] {
+        triangle.map(|corner| &self.points[corner as usize])
     }
 
     /// The winding number of the surface around a point, by a ray to larger x: 1 inside of a solid, 0 outside.
@@ -38,12 +48,12 @@ impl Boundary {
     pub fn winding(&self, q: [f64; 3]) -> Option<i64> {
         let exact = q.map(crate::rational);
         let mut winding = 0;
-        for (triangle, [along_x, beside @ ..]) in self.triangles.iter().zip(&self.boxes) {
+        for (&triangle, [along_x, beside @ ..]) in self.triangles.iter().zip(&self.boxes) {
             let is_beside = beside.iter().zip(&q[1..]).any(|([low, high], x)| x < low || high < x);
             if is_beside || along_x[1] < q[0] {
                 continue;
             }
-            winding += passed(triangle, &exact)?;
+            winding += passed(self.corners(triangle), &exact)?;
         }
         Some(winding)
     }
@@ -56,7 +66,7 @@ impl Boundary {
     pub fn is_near(&self, q: [f64; 3], distance: f64) -> bool {
         let exact = q.map(crate::rational);
         let squared = crate::rational(distance).square();
-        self.triangles.iter().zip(&self.boxes).any(|([a, b, c], bounds)| {
+        self.triangles.iter().zip(&self.boxes).any(|(&triangle, bounds)| {
             let is_in = bounds
                 .iter()
                 .zip(q)
@@ -64,6 +74,7 @@ impl Boundary {
             if !is_in {
                 return false;
             }
+            let [a, b, c] = self.corners(triangle);
             let minus = |p: &Point, q: &Point| [0, 1, 2].map(|i: usize| Rational::from(&p[i] - &q[i]));
             let [u, v, w] = [minus(b, a), minus(c, a), minus(&exact, a)];
             let minor = |i: usize, j: usize| Rational::from(&u[i] * &v[j]) - Rational::from(&u[j] * &v[i]);
@@ -78,7 +89,7 @@ impl Boundary {
 /// The crossing of the ray with a triangle: 1 if it leaves the solid, −1 if it enters, 0 if it misses.
 ///
 /// Returns `None` if the crossing is degenerate.
-fn passed([a, b, c]: &[Point; 3], q: &Point) -> Option<i64> {
+fn passed([a, b, c]: [&Point; 3], q: &Point) -> Option<i64> {
     let less = |p: &Point| [0, 1, 2].map(|i: usize| Rational::from(&p[i] - &q[i]));
     let [a, b, c] = [less(a), less(b), less(c)];
     let turn = |u: &Point, v: &Point| Rational::from(&u[1] * &v[2]) - Rational::from(&u[2] * &v[1]);

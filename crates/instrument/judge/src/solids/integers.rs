@@ -1,10 +1,12 @@
 //! Rational points in multi-material meshes: signs of determinants of integers.
 //!
 //! The middle of a piece of a triangle has denominators of hundreds of digits, and rationals spend their time on common
-//! factors. Here a point is three integers over a common weight. Only signs are computed, and nothing is divided.
+//! factors. Here a point is three integers over a common weight. Only signs are computed, and nothing is divided. A ray
+//! misses most triangles by far, which doubles show (`missed.rs`).
 
 use rug::{Integer, Rational};
 
+use super::missed::Ray;
 use super::{Materials, Meeting, Place};
 use crate::rational;
 
@@ -15,6 +17,8 @@ pub struct InIntegers<'m> {
     materials: &'m Materials<'m>,
     scale: Integer,
     corners: Vec<[Space; 3]>,
+    /// The normals of the triangles, twice as long as the areas.
+    normals: Vec<Space>,
 }
 
 impl<'m> InIntegers<'m> {
@@ -25,8 +29,9 @@ impl<'m> InIntegers<'m> {
         let scale = exact.as_flattened().as_flattened().iter().map(Rational::denom).max().cloned();
         let scale = scale.unwrap_or_else(|| Integer::from(1));
         let whole = |x: &Rational| Integer::from(x.numer() * &scale) / x.denom();
-        let corners = exact.iter().map(|t| t.each_ref().map(|p| p.each_ref().map(whole))).collect();
-        InIntegers { materials, scale, corners }
+        let corners: Vec<[Space; 3]> = exact.iter().map(|t| t.each_ref().map(|p| p.each_ref().map(whole))).collect();
+        let normals = corners.iter().map(|[a, b, c]| cross(&less(b, a), &less(c, a))).collect();
+        InIntegers { materials, scale, corners, normals }
     }
 
     /// The place of a point, by a ray in this direction.
@@ -51,11 +56,7 @@ impl<'m> InIntegers<'m> {
     #[must_use]
     pub fn beside(&self, triangles: &[u32], q: &[Rational; 3], direction: [i32; 3]) -> Option<(bool, Place)> {
         let towards = direction.map(Integer::from);
-        let ahead = |&at: &u32| {
-            let [a, b, c] = &self.corners[at as usize];
-            let less = |p: &Space| [0, 1, 2].map(|i: usize| Integer::from(&p[i] - &a[i]));
-            dot(&towards, &cross(&less(b), &less(c))).cmp0()
-        };
+        let ahead = |&at: &u32| dot(&towards, &self.normals[at as usize]).cmp0();
         // The point can be where two triangles cross: a step within one of them is on a face, not beside it.
         let sides: Vec<_> = triangles.iter().map(ahead).collect();
         let is_front = sides.first()?.is_gt();
@@ -67,28 +68,33 @@ impl<'m> InIntegers<'m> {
 
     fn but_for(&self, left_out: &[u32], q: &[Rational; 3], direction: [i32; 3]) -> Option<Place> {
         assert_ne!(direction, [0; 3], "a ray has a direction");
+        let ray = Ray { from: q.each_ref().map(Rational::to_f64), direction: direction.map(f64::from) };
         let direction = direction.map(Integer::from);
         let weight = q.iter().fold(Integer::from(1), |weight, x| weight.lcm(x.denom()));
         let q = q.each_ref().map(|x| Integer::from(x.numer() * &weight) / x.denom() * &self.scale);
-        let meet = |at: usize| along(&self.corners[at], &q, &weight, &direction);
+        let meet = |at: usize| {
+            let is_missed = || ray.misses(self.materials.triangles[at].map(|v| self.materials.scene.point3(v)));
+            // Triangles without area are refused.
+            if self.normals[at].iter().any(|x| !x.is_zero()) && is_missed() {
+                return Some(Meeting::Missed);
+            }
+            along(&self.corners[at], &self.normals[at], &q, &weight, &direction)
+        };
         let is_left_out = |at: usize| left_out.iter().any(|&other| other as usize == at);
         self.materials.place(|at, _| if is_left_out(at) { Some(Meeting::Missed) } else { meet(at) })
     }
 }
 
 /// The meeting with a ray from q over its weight: q + t d = a + v (b - a) + w (c - a), by Cramer's rule.
-fn along([a, b, c]: &[Space; 3], q: &Space, weight: &Integer, direction: &Space) -> Option<Meeting> {
-    let less = |p: &Space, q: &Space| [0, 1, 2].map(|i: usize| Integer::from(&p[i] - &q[i]));
-    let (ab, ac) = (less(b, a), less(c, a));
-    let normal = cross(&ab, &ac);
-    let determinant = dot(direction, &normal);
+fn along([a, b, c]: &[Space; 3], normal: &Space, q: &Space, weight: &Integer, direction: &Space) -> Option<Meeting> {
+    let determinant = dot(direction, normal);
     let aq = [0, 1, 2].map(|i: usize| &q[i] - Integer::from(&a[i] * weight));
-    let height = dot(&aq, &normal);
+    let height = dot(&aq, normal);
     if determinant.is_zero() {
         // Parallel to the ray: it is missed, unless the point is in its plane.
         return height.cmp0().is_ne().then_some(Meeting::Missed);
     }
-    let turned = cross(&aq, direction);
+    let (ab, ac, turned) = (less(b, a), less(c, a), cross(&aq, direction));
     let (v, w) = (-dot(&ac, &turned), dot(&ab, &turned));
     let u = Integer::from(&determinant * weight) - &v - &w;
     let is_reversed = determinant.cmp0().is_lt();
@@ -104,10 +110,33 @@ fn along([a, b, c]: &[Space; 3], q: &Space, weight: &Integer, direction: &Space)
     coordinates.iter().all(|coordinate| coordinate.is_gt()).then(|| Meeting::Passed(height.cmp0().is_lt()))
 }
 
+fn less(p: &Space, q: &Space) -> Space {
+    [0, 1, 2].map(|i: usize| Integer::from(&p[i] - &q[i]))
+}
+
 fn cross(p: &Space, q: &Space) -> Space {
     [(1, 2), (2, 0), (0, 1)].map(|(j, k): (usize, usize)| Integer::from(&p[j] * &q[k]) - Integer::from(&p[k] * &q[j]))
 }
 
 fn dot(p: &Space, q: &Space) -> Integer {
     (0..3).map(|i| Integer::from(&p[i] * &q[i])).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use predicament_predicates::{Scene, Vertex};
+
+    use super::*;
+
+    #[test]
+    fn a_triangle_without_area_is_refused_wherever_the_ray_goes() {
+        let corners = [[0.0; 3], [1.0; 3], [3.0; 3], [0.0, 1.0, 0.0]];
+        let scene = Scene::from_points3(&corners).expect("finite points");
+        for (last, is_refused) in [(2, true), (3, false)] {
+            let triangle = [[0, 1, last].map(Vertex::input)];
+            let materials = Materials::new(&scene, &triangle, &[[0, 1]]);
+            let place = materials.in_integers().winding(&[5, 2, 9].map(Rational::from), [1, 0, 0]);
+            assert_eq!(place, (!is_refused).then_some(Place::In(0)));
+        }
+    }
 }

@@ -19,7 +19,7 @@ fn tetrahedron(random: &mut Random, end: usize) -> Option<[[i64; 3]; 4]> {
     }
 }
 
-const FACES: [[usize; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]];
+const FACES: [[u32; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]];
 
 fn less(p: [i64; 3], q: [i64; 3]) -> [i64; 3] {
     [0, 1, 2].map(|axis: usize| p[axis] - q[axis])
@@ -49,7 +49,7 @@ fn over(p: [i64; 3], denominator: u32) -> [Rational; 3] {
 }
 
 fn of(corners: [[i64; 3]; 4]) -> [[[i64; 3]; 3]; 4] {
-    FACES.map(|face| face.map(|corner| corners[corner]))
+    FACES.map(|face| face.map(|corner| corners[corner as usize]))
 }
 
 #[test]
@@ -59,10 +59,10 @@ fn windings_of_rational_solids_are_one_inside_and_zero_outside() {
     for _ in 0..300 * effort() {
         let Some(corners) = tetrahedron(&mut random, 13) else { continue };
         for denominator in [1_u32, 3, 7] {
-            let triangles = of(corners).map(|face| face.map(|p| over(p, denominator)));
-            let boundary = Boundary::new(triangles.to_vec());
+            let points = corners.map(|p| over(p, denominator)).to_vec();
+            let boundary = Boundary::new(points.clone(), FACES.to_vec());
             // The same surface seen from inside has the negated winding number.
-            let reversed = Boundary::new(triangles.map(|[a, b, c]| [a, c, b]).to_vec());
+            let reversed = Boundary::new(points, FACES.map(|[a, b, c]| [a, c, b]).to_vec());
             for _ in 0..8 {
                 // Quarters, in the box of the solid or next to it; 4 times the point and the denominator are integers.
                 let q = [(); 3].map(|()| i64::try_from(random.below(1 + 48 / denominator as usize)).unwrap());
@@ -96,7 +96,7 @@ fn near_a_surface_is_near_a_plane_and_within_the_box() {
     for _ in 0..400 * effort() {
         let Some(corners) = tetrahedron(&mut random, 9) else { continue };
         let triangle = of(corners)[0];
-        let boundary = Boundary::new(vec![triangle.map(|p| over(p, 1))]);
+        let boundary = Boundary::new(triangle.map(|p| over(p, 1)).to_vec(), vec![[0, 1, 2]]);
         for _ in 0..8 {
             let q = [(); 3].map(|()| i64::try_from(random.below(15)).unwrap() - 3);
             let distance = i64::try_from(random.below(5)).unwrap();
@@ -123,8 +123,9 @@ fn points_in_thirds_are_where_they_are_in_a_mesh_of_three_times_the_size() {
         let Some(first) = tetrahedron(&mut random, 6) else { continue };
         let Some(second) = tetrahedron(&mut random, 6) else { continue };
         let corners = [first, second].concat();
-        let triangles: Vec<[Vertex; 3]> =
-            (0..2).flat_map(|of| FACES.map(|face| face.map(|corner| Vertex::input(4 * of + corner)))).collect();
+        let triangles: Vec<[Vertex; 3]> = (0..2)
+            .flat_map(|of| FACES.map(|face| face.map(|corner| Vertex::input(4 * of + corner as usize))))
+            .collect();
         let sides = [[[0, 1]; 4], [[1, 2]; 4]].concat();
         let probes: Vec<[i64; 3]> =
             (0..12).map(|_| [(); 3].map(|()| i64::try_from(random.below(16)).unwrap())).collect();
@@ -168,8 +169,9 @@ fn what_is_beside_a_point_of_triangles_is_where_one_comes_by_a_small_step() {
         let Some(second) = tetrahedron(&mut random, 7) else { continue };
         let corners = [first, second].concat();
         let scene = Scene::from_points3(&corners.iter().map(|p| p.map(double)).collect::<Vec<_>>()).unwrap();
-        let triangles: Vec<[Vertex; 3]> =
-            (0..2).flat_map(|of| FACES.map(|face| face.map(|corner| Vertex::input(4 * of + corner)))).collect();
+        let triangles: Vec<[Vertex; 3]> = (0..2)
+            .flat_map(|of| FACES.map(|face| face.map(|corner| Vertex::input(4 * of + corner as usize))))
+            .collect();
         let sides = [[[0, 1]; 4], [[0, 2]; 4]].concat();
         let materials = Materials::new(&scene, &triangles, &sides);
         let in_integers = materials.in_integers();

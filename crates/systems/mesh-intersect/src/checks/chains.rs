@@ -33,6 +33,17 @@ pub(super) fn plane([a, b, c]: [&Point; 3]) -> Option<(Plane, Rational)> {
     Some(((axis, plane), area))
 }
 
+/// The corners of a triangle in ascending order, and true if this turns the triangle over.
+pub(super) fn ascending<T: Ord + Copy>(mut corners: [T; 3]) -> ([T; 3], bool) {
+    let least = (0..3).min_by_key(|&at| corners[at]).unwrap_or_default();
+    corners.rotate_left(least);
+    let is_turned = corners[1] > corners[2];
+    if is_turned {
+        corners.swap(1, 2);
+    }
+    (corners, is_turned)
+}
+
 /// A sum of oriented triangles.
 #[derive(Clone, Default, Debug)]
 pub struct Chain {
@@ -44,16 +55,11 @@ pub struct Chain {
 impl Chain {
     /// Adds a triangle so many times.
     pub fn add(&mut self, corners: [&Point; 3], times: i64) {
-        let mut numbers = corners.map(|p| {
+        let numbers = corners.map(|p| {
             let next = self.numbers.len();
             if let Some(&known) = self.numbers.get(p) { known } else { *self.numbers.entry(p.clone()).or_insert(next) }
         });
-        let least = (0..3).min_by_key(|&at| numbers[at]).unwrap_or_default();
-        numbers.rotate_left(least);
-        let is_turned = numbers[1] > numbers[2];
-        if is_turned {
-            numbers.swap(1, 2);
-        }
+        let (numbers, is_turned) = ascending(numbers);
         *self.triangles.entry(numbers).or_default() += if is_turned { -times } else { times };
     }
 

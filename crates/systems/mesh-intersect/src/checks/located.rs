@@ -69,8 +69,8 @@ impl Laws<'_> {
         let Ok(scene) = Scene::from_points3(&points) else { return };
         let meshes = self.meshes.each_ref().map(|mesh| Materials::new(&scene, mesh.triangles(), mesh.sides()));
         let perturbed = Operation::ALL.into_iter().zip(self.solids).map(|(operation, solid)| {
-            let corners = solid.iter().map(|&triangle| self.corners(triangle).map(Clone::clone)).collect();
-            (operation, Boundary::new(corners))
+            let triangles = solid.iter().map(|&triangle| self.places(triangle)).collect();
+            (operation, Boundary::new(self.points.clone(), triangles))
         });
         let results: Vec<_> = perturbed.collect();
         for (at, &probe) in probes.iter().enumerate() {

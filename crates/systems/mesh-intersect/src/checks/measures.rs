@@ -1,13 +1,17 @@
 //! Volumes and areas, summed in rationals triangle by triangle.
+//!
+//! Most pieces are in two or three results, with either orientation: each is measured once.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 
 use crate::answer::Source;
 use predicament_mesh::OUTSIDE;
 use predicament_overlay::answer::Operation;
 use predicament_predicates::Vertex;
+use predicament_slice::checks::Rows;
 use rug::Rational;
 
+use super::chains::ascending;
 use super::{Laws, Point, Violations, name, note};
 
 /// Three components of twice an area's normal, and six times the volume between the triangle and the origin.
@@ -61,42 +65,33 @@ impl Laws<'_> {
         together
     }
 
-    fn six(&self, triangle: [Vertex; 3]) -> Rational {
-        let [a, b, c] = self.corners(triangle);
-        let minor = |i: usize, j: usize| Rational::from(&b[i] * &c[j]) - Rational::from(&b[j] * &c[i]);
-        Rational::from(&a[0] * &minor(1, 2))
-            + Rational::from(&a[1] * &minor(2, 0))
-            + Rational::from(&a[2] * &minor(0, 1))
-    }
-
     /// The normal of a triangle, twice as long as its area.
     pub(super) fn normal(&self, triangle: [Vertex; 3]) -> [Rational; 3] {
-        let [x, y, z, _] = self.measure(triangle);
-        [x, y, z]
-    }
-
-    fn measure(&self, triangle: [Vertex; 3]) -> Measure {
         let [a, b, c] = self.corners(triangle);
         let side = |p: &Point| [0, 1, 2].map(|i: usize| Rational::from(&p[i] - &a[i]));
         let [u, v] = [side(b), side(c)];
         let minor = |i: usize, j: usize| Rational::from(&u[i] * &v[j]) - Rational::from(&u[j] * &v[i]);
-        let [x, y, z] = [minor(1, 2), minor(2, 0), minor(0, 1)];
-        let six = Rational::from(&x * &a[0]) + Rational::from(&y * &a[1]) + Rational::from(&z * &a[2]);
-        [x, y, z, six]
+        [minor(1, 2), minor(2, 0), minor(0, 1)]
     }
 
-    /// The measures of each source triangle in a result, with the result's orientation.
-    pub fn of_result(&self, at: usize) -> Sums {
-        let mut sums = Sums::new();
-        for (&triangle, &source) in self.solids[at].iter().zip(&self.sources[at]) {
-            add(&mut sums, source, &self.measure(triangle), 1);
-        }
-        sums
+    /// The measures of each source triangle in each result, with the result's orientation.
+    #[must_use]
+    pub fn of_results(&self) -> [Sums; 4] {
+        let (rows, mut known) = (Rows::of(&self.points), HashMap::new());
+        [0, 1, 2, 3].map(|at| {
+            let mut sums = Sums::new();
+            for (&triangle, &source) in self.solids[at].iter().zip(&self.sources[at]) {
+                let (piece, is_turned) = ascending(self.places(triangle));
+                let measure = known.entry(piece).or_insert_with(|| rows.measure(piece));
+                add(&mut sums, source, measure, if is_turned { -1 } else { 1 });
+            }
+            sums
+        })
     }
 
     /// The measures of each triangle in the surface of its mesh's inside, oriented with the inside behind it.
     pub fn of_mesh(&self, mesh: usize) -> Sums {
-        let of = &self.meshes[mesh];
+        let (of, rows) = (&self.meshes[mesh], Rows::of(&self.points));
         let mut sums = Sums::new();
         for ((&triangle, sides), at) in of.triangles().iter().zip(of.sides()).zip(0..) {
             let times = match sides.map(|region| region != OUTSIDE) {
@@ -104,7 +99,8 @@ impl Laws<'_> {
                 [true, false] => -1,
                 _ => continue,
             };
-            add(&mut sums, Source { mesh: u8::from(mesh == 1), triangle: at }, &self.measure(triangle), times);
+            let measure = rows.measure(self.places(triangle));
+            add(&mut sums, Source { mesh: u8::from(mesh == 1), triangle: at }, &measure, times);
         }
         sums
     }
@@ -115,7 +111,7 @@ impl Laws<'_> {
     pub fn results(&self, found: &mut Violations) {
         let together = self.together();
         let merged = |sums: Sums| together.merged(sums);
-        let [union, intersection, difference, exclusive] = [0, 1, 2, 3].map(|at| merged(self.of_result(at)));
+        let [union, intersection, difference, exclusive] = self.of_results().map(merged);
         let [first, second] = [0, 1].map(|mesh| merged(self.of_mesh(mesh)));
         let laws: [(&str, Vec<(&Sums, i32)>); 3] = [
             (
@@ -188,7 +184,8 @@ impl Laws<'_> {
 
     /// Checks that the volume of a region of a mesh equals the volume of all its parts.
     pub fn volumes(&self, found: &mut Violations) {
-        let six = |triangle: [Vertex; 3]| self.six(triangle);
+        let rows = Rows::of(&self.points);
+        let six = |triangle: [Vertex; 3]| rows.volume(self.places(triangle));
         for (mesh, name) in MESHES.into_iter().enumerate() {
             // For each region: its boundary in the overlay, less that in the mesh, triangle by triangle.
             let mut missing: BTreeMap<(u32, Source), Rational> = BTreeMap::new();
@@ -232,4 +229,42 @@ pub fn add(sums: &mut Sums, source: Source, measure: &Measure, times: i32) {
     }
     let sum = sums.entry(source).or_default();
     sum.iter_mut().zip(measure).for_each(|(sum, x)| if times > 0 { *sum += x } else { *sum -= x });
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use predicament_mesh::MaterialMesh;
+    use predicament_predicates::Scene;
+
+    use super::*;
+    use crate::answer::Regions;
+
+    /// A face of a tetrahedron in three results, turned over in one of them.
+    #[test]
+    fn each_result_has_the_measures_of_its_own_triangles() {
+        let scene =
+            Scene::from_points3(&[[1.0, 0.0, 0.5], [0.0, 2.0, 0.0], [0.0, 0.0, 3.0], [0.0; 3]]).expect("finite");
+        let [a, b, c, d] = [0, 1, 2, 3].map(Vertex::input);
+        let faces = vec![[a, b, c], [b, a, d], [c, b, d], [a, c, d]];
+        let mesh = Arc::new(MaterialMesh::new(4, faces, vec![[0, 1]; 4]).expect("a tetrahedron"));
+        let (source, regions) = (Source { mesh: 0, triangle: 0 }, Regions::default());
+        let laws = Laws {
+            scene: &scene,
+            meshes: &[mesh.clone(), mesh],
+            regions: &regions,
+            solids: &[vec![[a, b, c]], vec![[c, b, a]], vec![[b, c, a]], Vec::new()],
+            sources: &[vec![source], vec![source], vec![source], Vec::new()],
+            constructions: &[],
+            before: 0,
+            points: crate::truth::given(&scene),
+        };
+        let [x, y, z] = laws.normal([a, b, c]);
+        let measure = [x, y, z, Rational::from(6)];
+        let turned = measure.each_ref().map(|x| Rational::from(-x));
+        let of = |measure: &Measure| Sums::from([(source, measure.clone())]);
+        assert_eq!(laws.of_results(), [of(&measure), of(&turned), of(&measure), Sums::new()]);
+        assert_eq!(laws.of_mesh(0)[&source], measure);
+    }
 }

@@ -75,6 +75,11 @@ impl Laws<'_> {
         v.construction().map_or(v.index(), |index| self.scene.len() + index - self.before)
     }
 
+    /// The places of a triangle's corners among the points.
+    fn places(&self, triangle: [Vertex; 3]) -> [u32; 3] {
+        triangle.map(|v| u32::try_from(self.place(v)).expect("fewer than 2^32 vertices"))
+    }
+
     fn corners(&self, triangle: [Vertex; 3]) -> [&Point; 3] {
         triangle.map(|v| &self.points[self.place(v)])
     }

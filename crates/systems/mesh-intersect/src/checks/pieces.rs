@@ -149,7 +149,7 @@ impl Laws<'_> {
         let (triangles, sources): (Vec<_>, Vec<_>) =
             of.enumerate().map(|(at, part)| if at < regions.triangles.len() { part } else { turned(part) }).unzip();
         let part = Part {
-            triangles: triangles.iter().map(|t| t.map(|v| number(self.place(v)))).collect(),
+            triangles: triangles.iter().map(|&t| self.places(t)).collect(),
             pieces: sources.iter().map(place).collect(),
             open: Vec::new(),
         };

@@ -81,7 +81,7 @@ impl Surface {
 
     /// The surface, prepared for winding number queries.
     fn boundary(&self) -> Boundary {
-        Boundary::new(self.triangles.iter().map(|&triangle| self.corners(triangle).map(Clone::clone)).collect())
+        Boundary::new(self.points.clone(), self.triangles.clone())
     }
 }
 

@@ -245,7 +245,10 @@ fn soup(seed: u64, point: &dyn Fn(&mut Random) -> [f64; 3]) -> Closed {
 
 /// The points with a wrong winding number in a surface, and the number of points tested.
 fn misplaced(mesh: &Closed, surface: Vec<[Point; 3]>, random: &mut Random, reach: f64) -> [usize; 2] {
-    let (before, after) = (Boundary::new(self::surface(mesh)), Boundary::new(surface));
+    let [before, after] = [self::surface(mesh), surface].map(|surface| {
+        let corners = (0..).step_by(3).take(surface.len()).map(|first| [first, first + 1, first + 2]).collect();
+        Boundary::new(surface.into_flattened(), corners)
+    });
     let mut counts = [0; 2];
     for _ in 0..40 {
         let q = [(); 3].map(|()| random.whole(1 << 20) / f64::from(1 << 20) * reach);

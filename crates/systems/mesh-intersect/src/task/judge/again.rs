@@ -43,9 +43,11 @@ impl Judging<'_> {
     /// Overlays the meshes again, and compares the results.
     pub(super) fn again(&self, asked: &Asked<'_>, found: &mut Violations) -> Result<(), Stop> {
         let is_exact = asked.contract(PredicateKind::Orient3d).zero == ZeroMeaning::Exact;
-        self.with_exchanged(asked, is_exact, found);
+        let together = self.laws.together();
+        let own = self.laws.of_results().map(|sums| together.merged(sums));
+        self.with_exchanged(&own, asked, is_exact, found);
         asked.watch.done(0)?;
-        self.with_complement(asked, found);
+        self.with_complement(&own[2], asked, found);
         asked.watch.done(0)
     }
 
@@ -79,15 +81,13 @@ impl Judging<'_> {
             return None;
         };
         let judged = Judging::new(&other.scene, &other.content, &answer, points, self.place);
-        let of = |at: usize| {
-            judged.laws.of_result(at).into_iter().map(|(source, measure)| (places(source), measure)).collect()
-        };
         // Parts of two triangles may have the other one as source.
         let together = self.laws.together();
-        Some([0, 1, 2, 3].map(of).map(|sums| together.merged(sums)))
+        let placed = |sums: Sums| sums.into_iter().map(|(source, measure)| (places(source), measure)).collect();
+        Some(judged.laws.of_results().map(|sums| together.merged(placed(sums))))
     }
 
-    fn with_exchanged(&self, asked: &Asked<'_>, is_exact: bool, found: &mut Violations) {
+    fn with_exchanged(&self, own: &[Sums; 4], asked: &Asked<'_>, is_exact: bool, found: &mut Violations) {
         const CHECK: &str = "meshes exchanged";
         // The vertices of the second mesh come first.
         let is_of_second = self.laws.scene.second_mesh().unwrap_or_default();
@@ -105,9 +105,7 @@ impl Judging<'_> {
         let Some(other) = Other::new(&points, [second, first]) else { return };
         let back = |source: Source| Source { mesh: 1 - source.mesh, ..source };
         let Some(results) = self.results_of(&other, asked, CHECK, &back, found) else { return };
-        let together = self.laws.together();
-        let own = [0, 1, 2, 3].map(|at| together.merged(self.laws.of_result(at)));
-        let second = together.merged(self.laws.of_mesh(1));
+        let second = self.laws.together().merged(self.laws.of_mesh(1));
         // The difference of the second and the first, together with the intersection, is the second.
         let laws: [(&str, Vec<(&Sums, i32)>); 4] = [
             ("the unions are the same", vec![(&own[0], 1), (&results[0], -1)]),
@@ -126,7 +124,7 @@ impl Judging<'_> {
         }
     }
 
-    fn with_complement(&self, asked: &Asked<'_>, found: &mut Violations) {
+    fn with_complement(&self, own: &Sums, asked: &Asked<'_>, found: &mut Violations) {
         const CHECK: &str = "difference by complement";
         let mut points: Vec<[f64; 3]> = self.laws.scene.vertices().map(|v| self.laws.scene.point3(v)).collect();
         let count = points.len();
@@ -160,8 +158,7 @@ impl Judging<'_> {
             _ => Source { triangle: places.get(source.triangle as usize).copied().unwrap_or(beyond), ..source },
         };
         let Some(results) = self.results_of(&other, asked, CHECK, &back, found) else { return };
-        let own = self.laws.together().merged(self.laws.of_result(2));
-        let left = left(&[(&own, 1), (&results[1], -1)]);
+        let left = left(&[(own, 1), (&results[1], -1)]);
         if let Some((source, _)) = left.first_key_value() {
             let of = if source.triangle == beyond { "the box".to_owned() } else { name(*source) };
             let got = format!("{} triangles, first {of}: its parts differ", left.len());
