@@ -10,7 +10,10 @@
 use alloc::{boxed::Box, vec::Vec};
 
 pub(crate) mod batches;
+mod filtered;
 pub(crate) mod open;
+
+pub use filtered::Filtered;
 
 use predicament_arithmetic::bound;
 use predicament_predicates::{
@@ -141,6 +144,7 @@ impl<'s> Decider<'s> {
     #[inline(always)]
     pub fn is_known_double(&self, kind: PredicateKind) -> bool {
         match kind {
+            PredicateKind::Orient2d => self.flat.get().is_some_and(|plan| plan.orient2d.is_double()),
             PredicateKind::Incircle => self.flat.get().is_some_and(|plan| plan.incircle.is_double()),
             PredicateKind::Orient3d => self.solid.get().is_some_and(|plan| plan.orient3d.is_double()),
             PredicateKind::Insphere => self.solid.get().is_some_and(|plan| plan.insphere.is_double()),
@@ -166,101 +170,12 @@ impl<'s> Decider<'s> {
         (SIGNS[usize::from(x >= y) + usize::from(x > y)], stage::COMPARE)
     }
 
-    /// See [`Session::decide_orient2d`](crate::Session::decide_orient2d).
-    #[inline(always)]
-    pub fn decide_orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> (Sign, usize) {
-        // The permanent costs two operations: it is as good as a bound for the scene, and needs none. Nothing else is
-        // looked at before: where points come from memory, a query with fewer instructions overlaps with more others.
-        if plane == Plane::Xy
-            && let Some(sign) = self.filtered_turn(a, b, c)
-        {
-            return (sign, stage::SEMI_STATIC);
-        }
-        if self.turn_scale[plane as usize] != 0.0 {
-            return self.turn_in_integers(plane, a, b, c);
-        }
-        // A projection: where the plane is a constant, so are the indices of coordinates.
-        let at = |v: Vertex| self.points3.get(v.index());
-        if let (Some(a), Some(b), Some(c)) = (at(a), at(b), at(c)) {
-            let [i, j] = plane.axes().map(Axis::index);
-            let points = [[a[i], a[j]], [b[i], b[j]], [c[i], c[j]]];
-            if let Some(sign) = Orient2d::anywhere(points).certain() {
-                return (sign, stage::SEMI_STATIC);
-            }
-        }
-        self.climb_orient2d(plane, a, b, c)
-    }
-
-    /// The filter's answer about a turn in the plane.
-    #[inline(always)]
-    fn filtered_turn(&self, a: Vertex, b: Vertex, c: Vertex) -> Option<Sign> {
-        let points = self.filtered2;
-        let a = points.get(a.index())?;
-        let b = points.get(b.index())?;
-        let c = points.get(c.index())?;
-        Orient2d::anywhere([*a, *b, *c]).certain()
-    }
-
-    /// See [`Session::decide_orient3d`](crate::Session::decide_orient3d).
-    #[inline(always)]
-    pub fn decide_orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
-        if self.orient3d_by_query {
-            return self.orient3d_by_query(a, b, c, d);
-        }
-        let at = |v: Vertex| self.points3.get(v.index());
-        let mut determinant = f64::NAN;
-        if let (Some(a), Some(b), Some(c), Some(d)) = (at(a), at(b), at(c), at(d)) {
-            let estimate = Orient3d::estimate([*a, *b, *c, *d]);
-            if let Some(sign) = estimate.above(self.orient3d) {
-                return (sign, stage::STATIC);
-            }
-            determinant = estimate.determinant;
-        }
-        self.open_orient3d(determinant, a, b, c, d)
-    }
-
     /// See [`Session::filter_orient3d`](crate::Session::filter_orient3d).
     #[inline]
     pub fn filter_orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Option<(Sign, usize)> {
         let at = |v: Vertex| self.points3.get(v.index());
         let sign = Orient3d::estimate([*at(a)?, *at(b)?, *at(c)?, *at(d)?]).above(self.orient3d)?;
         Some((sign, stage::STATIC))
-    }
-
-    /// See [`Session::decide_incircle`](crate::Session::decide_incircle).
-    #[inline]
-    pub fn decide_incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
-        if self.incircle_by_query {
-            return self.incircle_by_query(a, b, c, d);
-        }
-        let at = |v: Vertex| self.points2.get(v.index());
-        let mut determinant = f64::NAN;
-        if let (Some(a), Some(b), Some(c), Some(d)) = (at(a), at(b), at(c), at(d)) {
-            let estimate = Incircle::estimate([*a, *b, *c, *d]);
-            if let Some(sign) = estimate.above(self.incircle) {
-                return (sign, stage::STATIC);
-            }
-            determinant = estimate.determinant;
-        }
-        self.open_incircle(determinant, a, b, c, d)
-    }
-
-    /// See [`Session::decide_insphere`](crate::Session::decide_insphere).
-    #[inline]
-    pub fn decide_insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> (Sign, usize) {
-        if self.insphere_by_query {
-            return self.insphere_by_query([a, b, c, d, e]);
-        }
-        let at = |v: Vertex| self.points3.get(v.index());
-        let mut determinant = f64::NAN;
-        if let (Some(a), Some(b), Some(c), Some(d), Some(e)) = (at(a), at(b), at(c), at(d), at(e)) {
-            let estimate = Insphere::estimate([*a, *b, *c, *d, *e]);
-            if let Some(sign) = estimate.above(self.insphere) {
-                return (sign, stage::STATIC);
-            }
-            determinant = estimate.determinant;
-        }
-        self.open_insphere(determinant, [a, b, c, d, e])
     }
 
     #[inline(always)]

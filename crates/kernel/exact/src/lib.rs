@@ -75,6 +75,10 @@ pub mod without;
 #[cfg(feature = "scenes")]
 pub use backend::Exact;
 #[cfg(feature = "scenes")]
+pub use batch::{Ties, Unbroken};
+#[cfg(feature = "scenes")]
+pub use decider::Filtered;
+#[cfg(feature = "scenes")]
 pub use partial::{Partial, PartialSession};
 pub use points::{
     f32, i32, i64, incircle, insphere, orient2d, orient3d, try_incircle, try_insphere, try_orient2d, try_orient3d,

@@ -9,9 +9,9 @@ use predicament_predicates::{
 };
 
 use crate::Exact;
-use crate::batch::Settled;
+use crate::batch::{Settled, Ties};
 use crate::constructed::Constructed;
-use crate::decider::Decider;
+use crate::decider::{Decider, Filtered};
 
 /// The exact backend's session, prepared for one scene.
 pub struct Session<'s, T> {
@@ -55,9 +55,9 @@ impl<'s, T: Tally> Session<'s, T> {
         self.decider.is_double(kind)
     }
 
-    /// Returns true if doubles make no error in this predicate of three or more differences, and the plan is made.
+    /// Returns true if doubles make no error in this predicate, and the plan is made.
     ///
-    /// The call is a few instructions. A tie has made the plan.
+    /// The call is a few instructions. A tie has made the plan. (For `orient2d`, the plan of the plane.)
     #[inline(always)]
     #[must_use]
     pub fn is_known_double(&self, kind: PredicateKind) -> bool {
@@ -128,6 +128,137 @@ impl<'s, T: Tally> Session<'s, T> {
     #[must_use]
     pub fn decide_insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> (Sign, usize) {
         self.decider.decide_insphere(a, b, c, d, e)
+    }
+
+    /// The result of the filter that [`Session::decide_orient2d`] runs first, with the points that it has read.
+    #[inline(always)]
+    #[must_use]
+    pub fn filtered_orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Filtered<'s, 2, 3> {
+        self.decider.filtered_orient2d(plane, a, b, c)
+    }
+
+    /// The turn of three vertices of the plane in integers, and their points, if integers come before any filter.
+    ///
+    /// `None` otherwise, or if a vertex is constructed. The stage is [`INTEGER`](crate::stage::INTEGER).
+    #[inline(always)]
+    #[must_use]
+    pub fn turn_of_integers(&self, a: Vertex, b: Vertex, c: Vertex) -> Option<(Sign, [&'s [f64; 2]; 3])> {
+        self.decider.turn_of_integers(a, b, c)
+    }
+
+    /// The result of the filter that [`Session::decide_orient3d`] runs first, with the points that it has read.
+    #[inline(always)]
+    #[must_use]
+    pub fn filtered_orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Filtered<'s, 3, 4> {
+        self.decider.filtered_orient3d(a, b, c, d)
+    }
+
+    /// The result of the filter that [`Session::decide_incircle`] runs first, with the points that it has read.
+    #[inline(always)]
+    #[must_use]
+    pub fn filtered_incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Filtered<'s, 2, 4> {
+        self.decider.filtered_incircle(a, b, c, d)
+    }
+
+    /// The result of the filter that [`Session::decide_insphere`] runs first, with the points that it has read.
+    #[inline(always)]
+    #[must_use]
+    pub fn filtered_insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Filtered<'s, 3, 5> {
+        self.decider.filtered_insphere(a, b, c, d, e)
+    }
+
+    /// The answer of [`Session::decide_orient2d`] to a query that its first filter has [left](Filtered::Left).
+    ///
+    /// # Panics
+    /// If the scene has no such vertex.
+    #[must_use]
+    pub fn decide_left_orient2d(&self, a: Vertex, b: Vertex, c: Vertex) -> (Sign, usize) {
+        self.decider.climb_orient2d(Plane::Xy, a, b, c)
+    }
+
+    /// The answer of [`Session::decide_orient3d`] to a query that its first filter has [left](Filtered::Left).
+    ///
+    /// # Panics
+    /// If the scene has no such vertex.
+    #[must_use]
+    pub fn decide_left_orient3d(&self, determinant: f64, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
+        self.decider.open_orient3d(determinant, a, b, c, d)
+    }
+
+    /// The answer of [`Session::decide_incircle`] to a query that its first filter has [left](Filtered::Left).
+    ///
+    /// # Panics
+    /// If the scene has no such vertex.
+    #[must_use]
+    pub fn decide_left_incircle(&self, determinant: f64, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
+        self.decider.open_incircle(determinant, a, b, c, d)
+    }
+
+    /// The answer of [`Session::decide_insphere`] to a query that its first filter has [left](Filtered::Left).
+    ///
+    /// # Panics
+    /// If the scene has no such vertex.
+    #[must_use]
+    pub fn decide_left_insphere(
+        &self,
+        determinant: f64,
+        a: Vertex,
+        b: Vertex,
+        c: Vertex,
+        d: Vertex,
+        e: Vertex,
+    ) -> (Sign, usize) {
+        self.decider.open_insphere(determinant, [a, b, c, d, e])
+    }
+
+    /// Returns true if turns in the plane are decided in integers, one by one: then a batch is a loop.
+    #[must_use]
+    pub fn turns_in_integers(&self) -> bool {
+        self.decider.turns_in_integers()
+    }
+
+    /// Answers as [`Predicates::orient2d_batch`], and breaks ties where many of them are found in doubles.
+    ///
+    /// Not tallied. Ties that remain open, or are found in another way, are zero.
+    ///
+    /// # Panics
+    /// As [`Predicates::orient2d_batch`].
+    #[inline]
+    pub fn orient2d_batch_with(&self, plane: Plane, queries: &[[Vertex; 3]], out: &mut [Sign], ties: impl Ties<2, 3>) {
+        self.decider.orient2d_batch_with(plane, queries, out, ties);
+    }
+
+    /// Answers as [`Predicates::orient3d_batch`], and breaks ties where many of them are found in doubles.
+    ///
+    /// See [`Session::orient2d_batch_with`].
+    ///
+    /// # Panics
+    /// As [`Predicates::orient3d_batch`].
+    #[inline]
+    pub fn orient3d_batch_with(&self, queries: &[[Vertex; 4]], out: &mut [Sign], ties: impl Ties<3, 4>) {
+        self.decider.orient3d_batch_with(queries, out, ties);
+    }
+
+    /// Answers as [`Predicates::incircle_batch`], and breaks ties where many of them are found in doubles.
+    ///
+    /// See [`Session::orient2d_batch_with`].
+    ///
+    /// # Panics
+    /// As [`Predicates::incircle_batch`].
+    #[inline]
+    pub fn incircle_batch_with(&self, queries: &[[Vertex; 4]], out: &mut [Sign], ties: impl Ties<2, 4>) {
+        self.decider.incircle_batch_with(queries, out, ties);
+    }
+
+    /// Answers as [`Predicates::insphere_batch`], and breaks ties where many of them are found in doubles.
+    ///
+    /// See [`Session::orient2d_batch_with`].
+    ///
+    /// # Panics
+    /// As [`Predicates::insphere_batch`].
+    #[inline]
+    pub fn insphere_batch_with(&self, queries: &[[Vertex; 5]], out: &mut [Sign], ties: impl Ties<3, 5>) {
+        self.decider.insphere_batch_with(queries, out, ties);
     }
 
     /// The answer of [`Predicates::sign`] and the stage that settled it, not tallied.

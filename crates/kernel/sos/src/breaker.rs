@@ -2,8 +2,8 @@
 //!
 //! A breaker counts nothing, so it is one type, compiled once for all tallies of a [`Session`](crate::Session).
 
-use predicament_exact::Exact;
-use predicament_exact::stage::COMPARE;
+use predicament_exact::stage::{COMPARE, INTEGER};
+use predicament_exact::{Exact, Filtered};
 use predicament_predicates::{
     Axis, Backend, Construction, Declined, Off, Plane, PredicateKind, Predicates, Question, Refused, Scene, Sign,
     Vertex,
@@ -11,6 +11,7 @@ use predicament_predicates::{
 
 use crate::batch::{Ties, break_all};
 use crate::constructed::{self, Memo};
+use crate::gradient::{self, INCIRCLE, INSPHERE, ORIENT2D, ORIENT3D, first_nonzero, in_order, smallest_first};
 use crate::lanes as many;
 use crate::leading::{self, Decided, EDELSBRUNNER_MUCKE, PER_COORDINATE, Points};
 use crate::{Scheme, stage};
@@ -26,6 +27,16 @@ pub(crate) struct Breaker<'s> {
     pub exact: predicament_exact::Session<'s, Off>,
     pub points: Points<'s>,
     memo: Memo,
+}
+
+/// The answer of the leading terms of a turn; `None` if all are zero, or the smallest vertex occurs twice.
+///
+/// They are differences of two doubles, which have the right sign.
+#[inline(always)]
+fn leading_orient2d<const SCHEME: usize>(points: [&[f64; 2]; 3]) -> Option<(Sign, usize)> {
+    let minors = gradient::orient2d(smallest_first(points)?.map(|point| *point));
+    let (sign, place) = first_nonzero(in_order::<SCHEME, ORIENT2D, 2>(minors))?;
+    Some((sign, stage::FIRST_TERM + place))
 }
 
 impl<'s> Breaker<'s> {
@@ -51,13 +62,8 @@ impl<'s> Breaker<'s> {
     #[cold]
     #[inline(never)]
     pub fn compare_constructed(&self, axis: Axis, a: Vertex, b: Vertex) -> (Sign, usize) {
-        match self.exact.decide_compare(axis, a, b) {
-            (Sign::Zero, stage) => match self.tie_constructed(Question::Compare(axis), [a, b]) {
-                (sign, AS_EXACT) => (sign, stage),
-                broken => broken,
-            },
-            decided => decided,
-        }
+        let decided = self.exact.decide_compare(axis, a, b);
+        self.tied(decided, || self.tie_constructed(Question::Compare(axis), [a, b]))
     }
 
     /// The order of two input vertices of equal coordinates, by the one term of both lists.
@@ -77,26 +83,63 @@ impl<'s> Breaker<'s> {
         }
     }
 
-    // Ties are broken out of line and take vertices in registers: answers without ties need no stack for them. Most
-    // ties need none either. The others are left to a second function, which takes the same registers.
+    // Ties are broken out of line and take points in registers, which the exact backend's filter has read: answers
+    // without ties need no stack for them. Most ties need none either. The others are left to a second function.
 
     #[inline(always)]
-    pub fn tie_orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> (Sign, usize) {
-        match self.scheme {
-            Scheme::PerCoordinate => self.orient2d::<PER_COORDINATE>(plane, a, b, c),
-            Scheme::EdelsbrunnerMucke => self.orient2d::<EDELSBRUNNER_MUCKE>(plane, a, b, c),
+    pub fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> (Sign, usize) {
+        match (self.exact.filtered_orient2d(plane, a, b, c), self.scheme) {
+            (Filtered::Settled(sign, stage), _) => (sign, stage),
+            (Filtered::Left(zero, [p, q, r]), Scheme::PerCoordinate) => {
+                self.left_orient2d::<PER_COORDINATE>(zero, p, q, r)
+            }
+            (Filtered::Left(zero, [p, q, r]), Scheme::EdelsbrunnerMucke) => {
+                self.left_orient2d::<EDELSBRUNNER_MUCKE>(zero, p, q, r)
+            }
+            (Filtered::Unasked, Scheme::PerCoordinate) => self.turn::<PER_COORDINATE>(plane, a, b, c),
+            (Filtered::Unasked, Scheme::EdelsbrunnerMucke) => self.turn::<EDELSBRUNNER_MUCKE>(plane, a, b, c),
         }
     }
 
     #[cold]
     #[inline(never)]
-    fn orient2d<const SCHEME: usize>(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> (Sign, usize) {
-        if self.points.solid.is_empty()
-            && let Some((sign, place)) = leading::differences::<SCHEME>(self.points.flat, [a, b, c])
+    fn left_orient2d<const SCHEME: usize>(
+        &self,
+        determinant: f64,
+        p: &[f64; 2],
+        q: &[f64; 2],
+        r: &[f64; 2],
+    ) -> (Sign, usize) {
+        if determinant == 0.0
+            && self.exact.is_known_double(PredicateKind::Orient2d)
+            && let Some(broken) = leading_orient2d::<SCHEME>([p, q, r])
         {
-            return (sign, stage::FIRST_TERM + place);
+            return broken;
         }
-        self.open_orient2d::<SCHEME>(plane, a, b, c)
+        let [a, b, c] = [p, q, r].map(|point| self.points.vertex2(point));
+        self.tied(self.exact.decide_left_orient2d(a, b, c), || {
+            leading_orient2d::<SCHEME>([p, q, r]).unwrap_or_else(|| self.open_orient2d::<SCHEME>(Plane::Xy, a, b, c))
+        })
+    }
+
+    /// Answers a turn that integers or a projection's filter decide first.
+    #[inline(never)]
+    fn turn<const SCHEME: usize>(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> (Sign, usize) {
+        if let Some((sign, points)) = self.exact.turn_of_integers(a, b, c) {
+            if !sign.is_zero() {
+                return (sign, INTEGER);
+            }
+            if let Some(broken) = leading_orient2d::<SCHEME>(points) {
+                return broken;
+            }
+        }
+        self.open_turn::<SCHEME>(plane, a, b, c)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn open_turn<const SCHEME: usize>(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> (Sign, usize) {
+        self.tied(self.exact.decide_orient2d(plane, a, b, c), || self.open_orient2d::<SCHEME>(plane, a, b, c))
     }
 
     #[cold]
@@ -107,22 +150,47 @@ impl<'s> Breaker<'s> {
     }
 
     #[inline(always)]
-    pub fn tie_orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
-        match self.scheme {
-            Scheme::PerCoordinate => self.orient3d::<PER_COORDINATE>(a, b, c, d),
-            Scheme::EdelsbrunnerMucke => self.orient3d::<EDELSBRUNNER_MUCKE>(a, b, c, d),
+    pub fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
+        match (self.exact.filtered_orient3d(a, b, c, d), self.scheme) {
+            (Filtered::Settled(sign, stage), _) if !sign.is_zero() => (sign, stage),
+            (Filtered::Left(zero, [p, q, r, s]), Scheme::PerCoordinate) => {
+                self.left_orient3d::<PER_COORDINATE>(zero, p, q, r, s)
+            }
+            (Filtered::Left(zero, [p, q, r, s]), Scheme::EdelsbrunnerMucke) => {
+                self.left_orient3d::<EDELSBRUNNER_MUCKE>(zero, p, q, r, s)
+            }
+            // (In a flat scene zeros are certain.)
+            (Filtered::Settled(..) | Filtered::Unasked, _) => self.unasked_orient3d(a, b, c, d),
         }
     }
 
     #[cold]
     #[inline(never)]
-    fn orient3d<const SCHEME: usize>(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
-        if self.exact.is_known_double(PredicateKind::Orient3d)
-            && let Some((sign, place)) = leading::turns_of::<SCHEME>(self.points.solid, [a, b, c, d])
+    fn left_orient3d<const SCHEME: usize>(
+        &self,
+        determinant: f64,
+        p: &[f64; 3],
+        q: &[f64; 3],
+        r: &[f64; 3],
+        s: &[f64; 3],
+    ) -> (Sign, usize) {
+        if determinant == 0.0
+            && self.exact.is_known_double(PredicateKind::Orient3d)
+            && let Some(points) = smallest_first([p, q, r, s])
+            && let Some((sign, place)) = gradient::decide::<SCHEME, ORIENT3D, _, _, _>(points, gradient::orient3d)
         {
             return (sign, stage::FIRST_TERM + place);
         }
-        self.open_orient3d::<SCHEME>(a, b, c, d)
+        let [a, b, c, d] = [p, q, r, s].map(|point| self.points.vertex3(point));
+        self.tied(self.exact.decide_left_orient3d(determinant, a, b, c, d), || self.open_orient3d::<SCHEME>(a, b, c, d))
+    }
+
+    #[inline(never)]
+    fn unasked_orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
+        self.tied(self.exact.decide_orient3d(a, b, c, d), || match self.scheme {
+            Scheme::PerCoordinate => self.open_orient3d::<PER_COORDINATE>(a, b, c, d),
+            Scheme::EdelsbrunnerMucke => self.open_orient3d::<EDELSBRUNNER_MUCKE>(a, b, c, d),
+        })
     }
 
     #[cold]
@@ -133,22 +201,47 @@ impl<'s> Breaker<'s> {
     }
 
     #[inline(always)]
-    pub fn tie_incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
-        match self.scheme {
-            Scheme::PerCoordinate => self.incircle::<PER_COORDINATE>(a, b, c, d),
-            Scheme::EdelsbrunnerMucke => self.incircle::<EDELSBRUNNER_MUCKE>(a, b, c, d),
+    pub fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
+        match (self.exact.filtered_incircle(a, b, c, d), self.scheme) {
+            (Filtered::Settled(sign, stage), _) if !sign.is_zero() => (sign, stage),
+            (Filtered::Left(zero, [p, q, r, s]), Scheme::PerCoordinate) => {
+                self.left_incircle::<PER_COORDINATE>(zero, p, q, r, s)
+            }
+            (Filtered::Left(zero, [p, q, r, s]), Scheme::EdelsbrunnerMucke) => {
+                self.left_incircle::<EDELSBRUNNER_MUCKE>(zero, p, q, r, s)
+            }
+            // (In a flat scene zeros are certain.)
+            (Filtered::Settled(..) | Filtered::Unasked, _) => self.unasked_incircle(a, b, c, d),
         }
     }
 
     #[cold]
     #[inline(never)]
-    fn incircle<const SCHEME: usize>(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
-        if self.exact.is_known_double(PredicateKind::Incircle)
-            && let Some(sign) = many::first_incircle::<SCHEME>(self.points.flat, [a, b, c, d])
+    fn left_incircle<const SCHEME: usize>(
+        &self,
+        determinant: f64,
+        p: &[f64; 2],
+        q: &[f64; 2],
+        r: &[f64; 2],
+        s: &[f64; 2],
+    ) -> (Sign, usize) {
+        if determinant == 0.0
+            && self.exact.is_known_double(PredicateKind::Incircle)
+            && let Some(points) = smallest_first([p, q, r, s])
+            && let Some((sign, place)) = gradient::decide::<SCHEME, INCIRCLE, _, _, _>(points, gradient::incircle)
         {
-            return (sign, stage::FIRST_TERM);
+            return (sign, stage::FIRST_TERM + place);
         }
-        self.open_incircle::<SCHEME>(a, b, c, d)
+        let [a, b, c, d] = [p, q, r, s].map(|point| self.points.vertex2(point));
+        self.tied(self.exact.decide_left_incircle(determinant, a, b, c, d), || self.open_incircle::<SCHEME>(a, b, c, d))
+    }
+
+    #[inline(never)]
+    fn unasked_incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
+        self.tied(self.exact.decide_incircle(a, b, c, d), || match self.scheme {
+            Scheme::PerCoordinate => self.open_incircle::<PER_COORDINATE>(a, b, c, d),
+            Scheme::EdelsbrunnerMucke => self.open_incircle::<EDELSBRUNNER_MUCKE>(a, b, c, d),
+        })
     }
 
     #[cold]
@@ -159,22 +252,50 @@ impl<'s> Breaker<'s> {
     }
 
     #[inline(always)]
-    pub fn tie_insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> (Sign, usize) {
-        match self.scheme {
-            Scheme::PerCoordinate => self.insphere::<PER_COORDINATE>(a, b, c, d, e),
-            Scheme::EdelsbrunnerMucke => self.insphere::<EDELSBRUNNER_MUCKE>(a, b, c, d, e),
+    pub fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> (Sign, usize) {
+        match (self.exact.filtered_insphere(a, b, c, d, e), self.scheme) {
+            (Filtered::Settled(sign, stage), _) if !sign.is_zero() => (sign, stage),
+            (Filtered::Left(zero, [p, q, r, s, t]), Scheme::PerCoordinate) => {
+                self.left_insphere::<PER_COORDINATE>(zero, p, q, r, s, t)
+            }
+            (Filtered::Left(zero, [p, q, r, s, t]), Scheme::EdelsbrunnerMucke) => {
+                self.left_insphere::<EDELSBRUNNER_MUCKE>(zero, p, q, r, s, t)
+            }
+            // (In a flat scene zeros are certain.)
+            (Filtered::Settled(..) | Filtered::Unasked, _) => self.unasked_insphere(a, b, c, d, e),
         }
     }
 
     #[cold]
     #[inline(never)]
-    fn insphere<const SCHEME: usize>(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> (Sign, usize) {
-        if self.exact.is_known_double(PredicateKind::Insphere)
-            && let Some(sign) = many::first_insphere::<SCHEME>(self.points.solid, [a, b, c, d, e])
+    fn left_insphere<const SCHEME: usize>(
+        &self,
+        determinant: f64,
+        p: &[f64; 3],
+        q: &[f64; 3],
+        r: &[f64; 3],
+        s: &[f64; 3],
+        t: &[f64; 3],
+    ) -> (Sign, usize) {
+        if determinant == 0.0
+            && self.exact.is_known_double(PredicateKind::Insphere)
+            && let Some(points) = smallest_first([p, q, r, s, t])
+            && let Some((sign, place)) = gradient::decide::<SCHEME, INSPHERE, _, _, _>(points, gradient::insphere)
         {
-            return (sign, stage::FIRST_TERM);
+            return (sign, stage::FIRST_TERM + place);
         }
-        self.open_insphere::<SCHEME>(a, b, c, d, e)
+        let [a, b, c, d, e] = [p, q, r, s, t].map(|point| self.points.vertex3(point));
+        self.tied(self.exact.decide_left_insphere(determinant, a, b, c, d, e), || {
+            self.open_insphere::<SCHEME>(a, b, c, d, e)
+        })
+    }
+
+    #[inline(never)]
+    fn unasked_insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> (Sign, usize) {
+        self.tied(self.exact.decide_insphere(a, b, c, d, e), || match self.scheme {
+            Scheme::PerCoordinate => self.open_insphere::<PER_COORDINATE>(a, b, c, d, e),
+            Scheme::EdelsbrunnerMucke => self.open_insphere::<EDELSBRUNNER_MUCKE>(a, b, c, d, e),
+        })
     }
 
     #[cold]
@@ -189,6 +310,18 @@ impl<'s> Breaker<'s> {
     ) -> (Sign, usize) {
         let decided = leading::insphere::<SCHEME>(&self.exact, self.points, [a, b, c, d, e]);
         self.broken(Question::Insphere, [a, b, c, d, e], decided)
+    }
+
+    /// The exact backend's answer, or the answer of the tie if that is zero.
+    #[inline(always)]
+    pub fn tied(&self, exact: (Sign, usize), tie: impl FnOnce() -> (Sign, usize)) -> (Sign, usize) {
+        match exact {
+            (Sign::Zero, stage) => match tie() {
+                (sign, AS_EXACT) => (sign, stage),
+                broken => broken,
+            },
+            decided => decided,
+        }
     }
 
     #[inline(always)]
@@ -219,7 +352,23 @@ impl<'s> Breaker<'s> {
     }
 
     pub fn orient2d_batch(&self, plane: Plane, queries: &[[Vertex; 3]], out: &mut [Sign]) {
-        self.exact.orient2d_batch(plane, queries, out);
+        if plane == Plane::Xy && self.exact.turns_in_integers() {
+            queries.iter().zip(out).for_each(|(&[a, b, c], out)| *out = self.orient2d(plane, a, b, c).0);
+            return;
+        }
+        if plane == Plane::Zx {
+            // The columns of the lists ascend.
+            self.exact.orient2d_batch(plane, queries, out);
+        } else {
+            match self.scheme {
+                Scheme::PerCoordinate => {
+                    self.exact.orient2d_batch_with(plane, queries, out, many::Lanes::<PER_COORDINATE>);
+                }
+                Scheme::EdelsbrunnerMucke => {
+                    self.exact.orient2d_batch_with(plane, queries, out, many::Lanes::<EDELSBRUNNER_MUCKE>);
+                }
+            }
+        }
         let points = self.points;
         // (In space there are no points of the plane, and all ties remain open.)
         let first = (
@@ -250,46 +399,73 @@ impl<'s> Breaker<'s> {
     }
 
     pub fn orient3d_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
-        self.exact.orient3d_batch(queries, out);
+        match self.scheme {
+            Scheme::PerCoordinate => self.exact.orient3d_batch_with(queries, out, many::Lanes::<PER_COORDINATE>),
+            Scheme::EdelsbrunnerMucke => {
+                self.exact.orient3d_batch_with(queries, out, many::Lanes::<EDELSBRUNNER_MUCKE>);
+            }
+        }
         let (exact, points) = (&self.exact, self.points);
-        let is_exact = || exact.is_double(PredicateKind::Orient3d);
+        let is_broken = exact.is_known_double(PredicateKind::Orient3d);
         let first = (
             |args| leading::orient3d::<PER_COORDINATE>(exact, points, args),
-            |ties: &[_], out: &mut [_]| many::orient3d::<PER_COORDINATE>(points.solid, ties, out, is_exact()),
+            |ties: &[_], out: &mut [_]| {
+                if is_broken { u64::MAX } else { many::orient3d::<PER_COORDINATE>(points.solid, ties, out) }
+            },
         );
         let second = (
             |args| leading::orient3d::<EDELSBRUNNER_MUCKE>(exact, points, args),
-            |ties: &[_], out: &mut [_]| many::orient3d::<EDELSBRUNNER_MUCKE>(points.solid, ties, out, is_exact()),
+            |ties: &[_], out: &mut [_]| {
+                if is_broken { u64::MAX } else { many::orient3d::<EDELSBRUNNER_MUCKE>(points.solid, ties, out) }
+            },
         );
         self.break_by(queries, out, (first, second), |args| self.rest(Question::Orient3d, args).0);
     }
 
     pub fn incircle_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
-        self.exact.incircle_batch(queries, out);
+        match self.scheme {
+            Scheme::PerCoordinate => self.exact.incircle_batch_with(queries, out, many::Lanes::<PER_COORDINATE>),
+            Scheme::EdelsbrunnerMucke => {
+                self.exact.incircle_batch_with(queries, out, many::Lanes::<EDELSBRUNNER_MUCKE>);
+            }
+        }
         let (exact, points) = (&self.exact, self.points);
-        let is_exact = || exact.is_double(PredicateKind::Incircle);
+        let is_broken = exact.is_known_double(PredicateKind::Incircle);
         let first = (
             |args| leading::incircle::<PER_COORDINATE>(exact, points, args),
-            |ties: &[_], out: &mut [_]| many::incircle::<PER_COORDINATE>(points.flat, ties, out, is_exact()),
+            |ties: &[_], out: &mut [_]| {
+                if is_broken { u64::MAX } else { many::incircle::<PER_COORDINATE>(points.flat, ties, out) }
+            },
         );
         let second = (
             |args| leading::incircle::<EDELSBRUNNER_MUCKE>(exact, points, args),
-            |ties: &[_], out: &mut [_]| many::incircle::<EDELSBRUNNER_MUCKE>(points.flat, ties, out, is_exact()),
+            |ties: &[_], out: &mut [_]| {
+                if is_broken { u64::MAX } else { many::incircle::<EDELSBRUNNER_MUCKE>(points.flat, ties, out) }
+            },
         );
         self.break_by(queries, out, (first, second), |args| self.rest(Question::Incircle, args).0);
     }
 
     pub fn insphere_batch(&self, queries: &[[Vertex; 5]], out: &mut [Sign]) {
-        self.exact.insphere_batch(queries, out);
+        match self.scheme {
+            Scheme::PerCoordinate => self.exact.insphere_batch_with(queries, out, many::Lanes::<PER_COORDINATE>),
+            Scheme::EdelsbrunnerMucke => {
+                self.exact.insphere_batch_with(queries, out, many::Lanes::<EDELSBRUNNER_MUCKE>);
+            }
+        }
         let (exact, points) = (&self.exact, self.points);
-        let is_exact = || exact.is_double(PredicateKind::Insphere);
+        let is_broken = exact.is_known_double(PredicateKind::Insphere);
         let first = (
             |args| leading::insphere::<PER_COORDINATE>(exact, points, args),
-            |ties: &[_], out: &mut [_]| many::insphere::<PER_COORDINATE>(points.solid, ties, out, is_exact()),
+            |ties: &[_], out: &mut [_]| {
+                if is_broken { u64::MAX } else { many::insphere::<PER_COORDINATE>(points.solid, ties, out) }
+            },
         );
         let second = (
             |args| leading::insphere::<EDELSBRUNNER_MUCKE>(exact, points, args),
-            |ties: &[_], out: &mut [_]| many::insphere::<EDELSBRUNNER_MUCKE>(points.solid, ties, out, is_exact()),
+            |ties: &[_], out: &mut [_]| {
+                if is_broken { u64::MAX } else { many::insphere::<EDELSBRUNNER_MUCKE>(points.solid, ties, out) }
+            },
         );
         self.break_by(queries, out, (first, second), |args| self.rest(Question::Insphere, args).0);
     }

@@ -74,20 +74,16 @@ pub(crate) fn turn<const EXACT: bool>([p, q, r]: [[f64; 2]; 3]) -> Option<Sign> 
 ///
 /// `None` if rounding may have changed it.
 #[inline(always)]
-pub(crate) fn flat<const EXACT: bool, const D: usize>(
-    [p, q, r]: [&[f64; D]; 3],
-    column: usize,
-    struck: Struck,
-) -> Option<Sign> {
-    certain::<EXACT>(minor2([p, q, r], column, struck), BOUND)
+pub(crate) fn flat<const D: usize>([p, q, r]: [&[f64; D]; 3], column: usize, struck: Struck) -> Option<Sign> {
+    certain::<false>(minor2([p, q, r], column, struck), BOUND)
 }
 
 /// The sign of the minor of four points with two coordinates, the lift and 1.
 ///
 /// `None` if rounding may have changed it.
 #[inline(always)]
-pub(crate) fn solid<const EXACT: bool>(points: [&[f64; 3]; 4], columns: [usize; 2], struck: Struck) -> Option<Sign> {
-    certain::<EXACT>(minor3(points, columns, struck), BOUND)
+pub(crate) fn solid(points: [&[f64; 3]; 4], columns: [usize; 2], struck: Struck) -> Option<Sign> {
+    certain::<false>(minor3(points, columns, struck), BOUND)
 }
 
 /// The sign of the minor of some sorted points with these columns, a lift and 1; `None` if rounding may have changed
@@ -160,31 +156,21 @@ fn certain<const EXACT: bool>((estimate, lifts): Ranged, bound: f64) -> Option<S
 }
 
 /// The minor as [`flat`] estimates it, and the bound that its magnitude must exceed for its sign to be certain.
-///
-/// The bound is zero if doubles make no error.
 #[inline(always)]
-pub(crate) fn flat_value<const EXACT: bool, const D: usize>(
-    points: [&[f64; D]; 3],
-    column: usize,
-    struck: Struck,
-) -> (f64, f64) {
-    value::<EXACT>(minor2(points, column, struck))
+pub(crate) fn flat_value<const D: usize>(points: [&[f64; D]; 3], column: usize, struck: Struck) -> (f64, f64) {
+    value(minor2(points, column, struck))
 }
 
 /// The minor as [`solid`] estimates it, and the bound for its sign.
 #[inline(always)]
-pub(crate) fn solid_value<const EXACT: bool>(
-    points: [&[f64; 3]; 4],
-    columns: [usize; 2],
-    struck: Struck,
-) -> (f64, f64) {
-    value::<EXACT>(minor3(points, columns, struck))
+pub(crate) fn solid_value(points: [&[f64; 3]; 4], columns: [usize; 2], struck: Struck) -> (f64, f64) {
+    value(minor3(points, columns, struck))
 }
 
 #[inline(always)]
-fn value<const EXACT: bool>((estimate, lifts): Ranged) -> (f64, f64) {
+fn value((estimate, lifts): Ranged) -> (f64, f64) {
     let bound = if lifts <= LARGEST { BOUND * estimate.permanent + TINY } else { f64::NAN };
-    (estimate.determinant, if EXACT { 0.0 } else { bound })
+    (estimate.determinant, bound)
 }
 
 /// A row of a minor: differences to the last row, and the lift with its permanent.
@@ -297,13 +283,13 @@ mod tests {
         let struck = Struck { column: 1 - flat_column, origin: origin(1 - flat_column) };
         let triple = [p, q, r];
         let truth2 = truth(&triple, &[flat_column], struck);
-        let two = check(minor2(triple, flat_column, struck), flat::<false, _>(triple, flat_column, struck), &truth2);
+        let two = check(minor2(triple, flat_column, struck), flat(triple, flat_column, struck), &truth2);
         assert!(short::flat(triple, flat_column, struck).is_none_or(|sign| sign == Sign::from(truth2.cmp0())));
         let columns = [[0, 1], [1, 2], [0, 2]][column];
         let struck = Struck { column: 3 - columns[0] - columns[1], origin: origin(3 - columns[0] - columns[1]) };
         let all = [p, q, r, s];
         let truth3 = truth(&all, &columns, struck);
-        let three = check(minor3(all, columns, struck), solid::<false>(all, columns, struck), &truth3);
+        let three = check(minor3(all, columns, struck), solid(all, columns, struck), &truth3);
         assert!(short::solid(all, columns, struck).is_none_or(|sign| sign == Sign::from(truth3.cmp0())));
         let flat = triple.map(|point| columns.map(|column| point[column]));
         let ones = flat.map(|[x, y]| vec![rational(x), rational(y), Rational::from(1)]);
@@ -467,8 +453,8 @@ mod tests {
     fn general_position_is_certain() {
         let points = [[0.1, 0.7, 0.2], [0.9, 0.3, 0.5], [0.4, 0.2, 0.8], [0.6, 0.5, 0.1]];
         let [p, q, r, s] = points.each_ref();
-        assert!(flat::<false, _>([p, q, r], 0, Struck { column: 1, origin: 0.2 }).is_some());
-        assert!(solid::<false>([p, q, r, s], [0, 1], Struck { column: 2, origin: 0.0 }).is_some());
+        assert!(flat([p, q, r], 0, Struck { column: 1, origin: 0.2 }).is_some());
+        assert!(solid([p, q, r, s], [0, 1], Struck { column: 2, origin: 0.0 }).is_some());
         assert!(turn::<false>([[0.1, 0.7], [0.9, 0.3], [0.4, 0.2]]).is_some());
     }
 }

@@ -1,166 +1,89 @@
 //! The first terms of many ties at once, on whole registers.
 //!
 //! A batch evaluates the terms of its ties as it evaluates determinants: each lane of a register has a query. A lane
-//! finds the vertex with the smallest index, and the first term of the list, a minor of the other points. For ties of
-//! `orient2d`, and of `orient3d` if doubles make no error, all leading terms are evaluated. Terms that are zero or not
-//! certain are left to [`leading`](crate::leading). A query with a vertex twice is left to it as well: a minor with two
-//! equal rows is zero, and the lane checks the smallest vertex.
+//! finds the vertex with the smallest index, and the first term of the list, a minor of the other points. Terms that
+//! are zero or not certain are left to [`leading`](crate::leading). Where doubles make no error, a lane evaluates all
+//! leading terms ([`gradient`](crate::gradient)), on the points that the exact backend has fetched. A query with a
+//! vertex twice is left open as well: a minor with two equal rows is zero, and the lane checks the vertex that moves.
 
 // Loops over indices stay in registers.
 #![allow(clippy::needless_range_loop)]
 
+use predicament_exact::Ties;
 use predicament_exact::anywhere::{self, Bounded};
 use predicament_lanes::signs_of;
 use predicament_predicates::{PredicateKind, Sign, Vertex};
 
 use crate::filter::{self, Struck};
-use crate::leading::{self, INCIRCLE, INSPHERE, difference, sign_of, turned_columns};
+use crate::gradient::{self, INCIRCLE, INSPHERE, ORIENT2D, ORIENT3D, in_order};
+use crate::leading;
 use crate::{Lift, Scheme, Term};
 
-/// Breaks ties of `orient2d` in the plane, and returns a bit mask of the ties that remain open.
+/// Breaks ties of `orient3d`, and returns a bit mask of the ties that remain open.
 ///
 /// `SCHEME` is an index in [`Scheme::ALL`].
+#[inline]
+pub(crate) fn orient3d<const SCHEME: usize>(points: &[[f64; 3]], ties: &[[Vertex; 4]], out: &mut [Sign]) -> u64 {
+    signs_of(points, ties, out, |rows, numbers| {
+        let ([_, p, q, r], flip) = smallest_first(rows, numbers);
+        let [x, y] = const { first_turn(Scheme::ALL[SCHEME].terms(PredicateKind::Orient3d)) };
+        let Bounded { determinant, bound } = anywhere::orient2d([p, q, r].map(|point| [point[x], point[y]]));
+        (flip * determinant, bound)
+    })
+}
+
+/// The columns of `orient3d`'s first term, exchanged if the sign is negative.
+const fn first_turn(terms: &'static [Term]) -> [usize; 2] {
+    let term = terms[0];
+    assert!(term.rows.len() == 3 && term.rows[0] == 1 && term.columns.len() == 2 && term.lift.is_none());
+    let [x, y] = [term.columns[0] as usize, term.columns[1] as usize];
+    if matches!(term.sign, Sign::Negative) { [y, x] } else { [x, y] }
+}
+
+/// Breaks ties of `orient2d` in the plane, and returns a bit mask of the ties that remain open.
 #[inline]
 pub(crate) fn orient2d<const SCHEME: usize>(points: &[[f64; 2]], ties: &[[Vertex; 3]], out: &mut [Sign]) -> u64 {
     if points.is_empty() {
         return u64::MAX;
     }
-    signs_of(points, ties, out, |rows, numbers| {
-        let (rows, flip) = smallest_first(rows, numbers);
-        let [first, second] = const {
-            let terms = Scheme::ALL[SCHEME].terms(PredicateKind::Orient2d);
-            [difference(terms[0]), difference(terms[1])]
-        };
-        // (A difference of doubles has the right sign.)
-        let compared = |[p, q, column]: [usize; 3]| rows[p][column] - rows[q][column];
-        let [first, second] = [compared(first), compared(second)];
-        (flip * if first == 0.0 { second } else { first }, 0.0)
-    })
-}
-
-/// Breaks ties of `orient3d`, and returns a bit mask of the ties that remain open.
-///
-/// `is_exact` says that doubles make no error, here and below.
-#[inline]
-pub(crate) fn orient3d<const SCHEME: usize>(
-    points: &[[f64; 3]],
-    ties: &[[Vertex; 4]],
-    out: &mut [Sign],
-    is_exact: bool,
-) -> u64 {
-    if is_exact {
-        signs_of(points, ties, out, first_of_orient3d::<SCHEME, true>)
-    } else {
-        signs_of(points, ties, out, first_of_orient3d::<SCHEME, false>)
-    }
-}
-
-#[inline(always)]
-fn first_of_orient3d<const SCHEME: usize, const EXACT: bool>(rows: [[f64; 3]; 4], numbers: [f64; 4]) -> (f64, f64) {
-    let ([_, p, q, r], flip) = smallest_first(rows, numbers);
-    let columns = const { turned_columns(Scheme::ALL[SCHEME].terms(PredicateKind::Orient3d)) };
-    let turn = |[x, y]: [usize; 2]| anywhere::orient2d([p, q, r].map(|point| [point[x], point[y]]));
-    let first = turn(columns[0]);
-    if !EXACT {
-        return (flip * first.determinant, first.bound);
-    }
-    let [second, third] = [turn(columns[1]).determinant, turn(columns[2]).determinant];
-    let later = if second == 0.0 { third } else { second };
-    (flip * if first.determinant == 0.0 { later } else { first.determinant }, 0.0)
+    // (A difference of doubles has the right sign.)
+    signs_of(points, ties, out, |rows, numbers| (turn::<SCHEME>(rows, numbers), 0.0))
 }
 
 /// Breaks ties of `incircle`, and returns a bit mask of the ties that remain open.
 #[inline]
-pub(crate) fn incircle<const SCHEME: usize>(
-    points: &[[f64; 2]],
-    ties: &[[Vertex; 4]],
-    out: &mut [Sign],
-    is_exact: bool,
-) -> u64 {
-    if is_exact {
-        signs_of(points, ties, out, first_of_incircle::<SCHEME, true>)
-    } else {
-        signs_of(points, ties, out, first_of_incircle::<SCHEME, false>)
-    }
-}
-
-#[inline(always)]
-fn first_of_incircle<const SCHEME: usize, const EXACT: bool>(rows: [[f64; 2]; 4], numbers: [f64; 4]) -> (f64, f64) {
-    let (rows, flip) = smallest_first(rows, numbers);
-    let (value, bound) = incircle_term::<SCHEME, EXACT>(rows);
-    (flip * value, bound)
-}
-
-/// Breaks a single tie of `incircle` by the first term if doubles make no error.
-///
-/// `None` if the term is zero, a vertex is not an input vertex, or the smallest vertex occurs twice, here and below.
-#[inline(always)]
-pub(crate) fn first_incircle<const SCHEME: usize>(points: &[[f64; 2]], args: [Vertex; 4]) -> Option<Sign> {
-    let [a, b, c, d] = leading::smallest_first(args)?;
-    let at = |v: Vertex| points.get(v.index()).copied();
-    sign_of(incircle_term::<SCHEME, true>([at(a)?, at(b)?, at(c)?, at(d)?]).0)
-}
-
-/// The first term of `incircle`, and the bound for its sign; the smallest vertex is the first row.
-#[inline(always)]
-fn incircle_term<const SCHEME: usize, const EXACT: bool>([first, p, q, r]: [[f64; 2]; 4]) -> (f64, f64) {
-    let term = const { first_term::<SCHEME, INCIRCLE>() };
-    let (value, bound) = match (term.columns, term.lift) {
-        (&[_, _], None) => certain::<EXACT>(anywhere::orient2d([p, q, r])),
-        (&[x], Some(lift)) => {
-            let column = usize::from(x);
-            let struck = struck(lift, 1 - column, first);
-            filter::flat_value::<EXACT, 2>([&p, &q, &r], column, struck)
-        }
-        _ => (f64::NAN, f64::NAN),
-    };
-    (if matches!(term.sign, Sign::Negative) { -value } else { value }, bound)
+pub(crate) fn incircle<const SCHEME: usize>(points: &[[f64; 2]], ties: &[[Vertex; 4]], out: &mut [Sign]) -> u64 {
+    signs_of(points, ties, out, |rows, numbers| {
+        let ([first, p, q, r], flip) = smallest_first(rows, numbers);
+        let term = const { first_term::<SCHEME, INCIRCLE>() };
+        let (value, bound) = match (term.columns, term.lift) {
+            (&[_, _], None) => pair(anywhere::orient2d([p, q, r])),
+            (&[x], Some(lift)) => {
+                let column = usize::from(x);
+                filter::flat_value([&p, &q, &r], column, struck(lift, 1 - column, first))
+            }
+            _ => (f64::NAN, f64::NAN),
+        };
+        (if matches!(term.sign, Sign::Negative) { -flip * value } else { flip * value }, bound)
+    })
 }
 
 /// Breaks ties of `insphere`, and returns a bit mask of the ties that remain open.
 #[inline]
-pub(crate) fn insphere<const SCHEME: usize>(
-    points: &[[f64; 3]],
-    ties: &[[Vertex; 5]],
-    out: &mut [Sign],
-    is_exact: bool,
-) -> u64 {
-    if is_exact {
-        signs_of(points, ties, out, first_of_insphere::<SCHEME, true>)
-    } else {
-        signs_of(points, ties, out, first_of_insphere::<SCHEME, false>)
-    }
-}
-
-#[inline(always)]
-fn first_of_insphere<const SCHEME: usize, const EXACT: bool>(rows: [[f64; 3]; 5], numbers: [f64; 5]) -> (f64, f64) {
-    let (rows, flip) = smallest_first(rows, numbers);
-    let (value, bound) = insphere_term::<SCHEME, EXACT>(rows);
-    (flip * value, bound)
-}
-
-/// Breaks a single tie of `insphere` by the first term if doubles make no error.
-#[inline(always)]
-pub(crate) fn first_insphere<const SCHEME: usize>(points: &[[f64; 3]], args: [Vertex; 5]) -> Option<Sign> {
-    let [a, b, c, d, e] = leading::smallest_first(args)?;
-    let at = |v: Vertex| points.get(v.index()).copied();
-    sign_of(insphere_term::<SCHEME, true>([at(a)?, at(b)?, at(c)?, at(d)?, at(e)?]).0)
-}
-
-/// The first term of `insphere`, and the bound for its sign; the smallest vertex is the first row.
-#[inline(always)]
-fn insphere_term<const SCHEME: usize, const EXACT: bool>([first, p, q, r, s]: [[f64; 3]; 5]) -> (f64, f64) {
-    let term = const { first_term::<SCHEME, INSPHERE>() };
-    let (value, bound) = match (term.columns, term.lift) {
-        (&[_, _, _], None) => certain::<EXACT>(anywhere::orient3d([p, q, r, s])),
-        (&[x, y], Some(lift)) => {
-            let columns = [x, y].map(usize::from);
-            let struck = struck(lift, 3 - columns[0] - columns[1], first);
-            filter::solid_value::<EXACT>([&p, &q, &r, &s], columns, struck)
-        }
-        _ => (f64::NAN, f64::NAN),
-    };
-    (if matches!(term.sign, Sign::Negative) { -value } else { value }, bound)
+pub(crate) fn insphere<const SCHEME: usize>(points: &[[f64; 3]], ties: &[[Vertex; 5]], out: &mut [Sign]) -> u64 {
+    signs_of(points, ties, out, |rows, numbers| {
+        let ([first, p, q, r, s], flip) = smallest_first(rows, numbers);
+        let term = const { first_term::<SCHEME, INSPHERE>() };
+        let (value, bound) = match (term.columns, term.lift) {
+            (&[_, _, _], None) => pair(anywhere::orient3d([p, q, r, s])),
+            (&[x, y], Some(lift)) => {
+                let columns = [x, y].map(usize::from);
+                filter::solid_value([&p, &q, &r, &s], columns, struck(lift, 3 - columns[0] - columns[1], first))
+            }
+            _ => (f64::NAN, f64::NAN),
+        };
+        (if matches!(term.sign, Sign::Negative) { -flip * value } else { flip * value }, bound)
+    })
 }
 
 /// The first term of a list, a minor of all rows but the first.
@@ -168,11 +91,6 @@ const fn first_term<const SCHEME: usize, const KIND: usize>() -> Term {
     let Some(term) = leading::leading(Scheme::ALL[SCHEME].terms(PredicateKind::ALL[KIND]), 0) else {
         panic!("only the first vertex moves in the first term");
     };
-    // Doubles that make no error are those of differences, so of a lift about a vertex.
-    assert!(match term.lift {
-        None => true,
-        Some(lift) => matches!(lift.about, [Some(0), None, None]),
-    });
     term
 }
 
@@ -184,8 +102,8 @@ fn struck<const D: usize>(lift: Lift, column: usize, first: [f64; D]) -> Struck 
 }
 
 #[inline(always)]
-fn certain<const EXACT: bool>(Bounded { determinant, bound }: Bounded) -> (f64, f64) {
-    (determinant, if EXACT { 0.0 } else { bound })
+fn pair(Bounded { determinant, bound }: Bounded) -> (f64, f64) {
+    (determinant, bound)
 }
 
 /// The point of the vertex with the smallest number first, and the parity of the exchanges, 1 or −1.
@@ -210,6 +128,113 @@ fn smallest_first<const D: usize, const N: usize>(
         flip = if a == b { f64::NAN } else { flip };
     }
     (rows, flip)
+}
+
+// Ties where doubles make no error, in the block of the exact backend's filter.
+
+/// The first of the terms that are known for a tie: a number of its sign, zero or NaN if it remains open.
+///
+/// If two points coincide, that is the term of [`gradient::next`].
+#[inline(always)]
+pub(crate) fn turn<const SCHEME: usize>(rows: [[f64; 2]; 3], numbers: [f64; 3]) -> f64 {
+    let Moved { rows, flip, is_first } = moved_first(rows, numbers);
+    flip * chosen(in_order::<SCHEME, ORIENT2D, 2>(gradient::orient2d(rows)), is_first)
+}
+
+/// The same as [`turn`], for `orient3d`.
+#[inline(always)]
+pub(crate) fn side<const SCHEME: usize>(rows: [[f64; 3]; 4], numbers: [f64; 4]) -> f64 {
+    let Moved { rows, flip, is_first } = moved_first(rows, numbers);
+    flip * chosen(in_order::<SCHEME, ORIENT3D, 3>(gradient::orient3d(rows)), is_first)
+}
+
+/// The same as [`turn`], for `incircle`.
+#[inline(always)]
+pub(crate) fn circle<const SCHEME: usize>(rows: [[f64; 2]; 4], numbers: [f64; 4]) -> f64 {
+    let Moved { rows, flip, is_first } = moved_first(rows, numbers);
+    flip * chosen(in_order::<SCHEME, INCIRCLE, 3>(gradient::incircle(rows)), is_first)
+}
+
+/// The same as [`turn`], for `insphere`.
+#[inline(always)]
+pub(crate) fn sphere<const SCHEME: usize>(rows: [[f64; 3]; 5], numbers: [f64; 5]) -> f64 {
+    let Moved { rows, flip, is_first } = moved_first(rows, numbers);
+    flip * chosen(in_order::<SCHEME, INSPHERE, 4>(gradient::insphere(rows)), is_first)
+}
+
+/// The known terms of ties, for the exact backend's batches: [`turn`], [`side`], [`circle`] or [`sphere`] in each lane.
+///
+/// `SCHEME` is an index in [`Scheme::ALL`].
+pub(crate) struct Lanes<const SCHEME: usize>;
+
+macro_rules! lanes {
+    ($dimension:literal, $points:literal, $known:ident) => {
+        impl<const SCHEME: usize> Ties<$dimension, $points> for Lanes<SCHEME> {
+            const BREAKS: bool = true;
+
+            #[inline(always)]
+            fn sign(&self, points: [[f64; $dimension]; $points], numbers: [f64; $points]) -> f64 {
+                $known::<SCHEME>(points, numbers)
+            }
+        }
+    };
+}
+lanes!(2, 3, turn);
+lanes!(3, 4, side);
+lanes!(2, 4, circle);
+lanes!(3, 5, sphere);
+
+/// The first term of a row that is not the first, or the first nonzero one of the first row; zero if all are.
+#[inline(always)]
+fn chosen<const K: usize>(terms: [f64; K], is_first: bool) -> f64 {
+    let mut chosen = terms[K - 1];
+    for place in (0..K - 1).rev() {
+        chosen = if terms[place] == 0.0 { chosen } else { terms[place] };
+    }
+    if is_first { chosen } else { terms[0] }
+}
+
+/// Rows with the one first whose vertex moves in the terms in question.
+struct Moved<const D: usize, const N: usize> {
+    rows: [[f64; D]; N],
+    /// The parity of the exchanges, 1 or −1; NaN if the vertex occurs twice.
+    flip: f64,
+    /// True if its vertex is the smallest one.
+    is_first: bool,
+}
+
+/// The row of the smallest vertex first; if points coincide, of the smaller vertex of the pair where that is largest.
+#[inline(always)]
+fn moved_first<const D: usize, const N: usize>(mut rows: [[f64; D]; N], mut numbers: [f64; N]) -> Moved<D, N> {
+    let less = |a: f64, b: f64| if a < b { a } else { b };
+    let mut smallest = numbers[0];
+    for row in 1..N {
+        smallest = less(smallest, numbers[row]);
+    }
+    let mut moved = smallest;
+    for j in 1..N {
+        for i in 0..j {
+            let mut coincide = true;
+            for axis in 0..D {
+                coincide &= rows[i][axis] == rows[j][axis];
+            }
+            let smaller = less(numbers[i], numbers[j]);
+            moved = if coincide & (smaller > moved) { smaller } else { moved };
+        }
+    }
+    let mut flip = 1.0;
+    for row in 1..N {
+        // (Behind the first row nothing has moved yet.)
+        let is_here = numbers[row] == moved;
+        flip = if is_here & (numbers[0] == moved) { f64::NAN } else { flip };
+        flip = if is_here { -flip } else { flip };
+        numbers[0] = if is_here { moved } else { numbers[0] };
+        for axis in 0..D {
+            let [x, y] = [rows[0][axis], rows[row][axis]];
+            [rows[0][axis], rows[row][axis]] = if is_here { [y, x] } else { [x, y] };
+        }
+    }
+    Moved { rows, flip, is_first: moved == smallest }
 }
 
 #[cfg(test)]
@@ -248,13 +273,12 @@ mod tests {
 
     /// Checks that all ties in general position are decided, and that the signs equal the signs of single queries.
     fn check<const N: usize>(
-        many: impl Fn(&[[Vertex; N]], &mut [Sign], bool) -> u64,
+        many: impl Fn(&[[Vertex; N]], &mut [Sign]) -> u64,
         one: impl Fn([Vertex; N]) -> Option<(Sign, usize)>,
-        is_exact: bool,
     ) {
         let queries = queries::<N>(11);
         let mut out = [Sign::Zero; 64];
-        assert_eq!(many(&queries, &mut out, is_exact), 0, "left open");
+        assert_eq!(many(&queries, &mut out), 0, "left open");
         for (query, sign) in queries.iter().zip(out) {
             assert_eq!(one(*query).map(|(sign, _)| sign), Some(sign), "{query:?}");
         }
@@ -268,24 +292,20 @@ mod tests {
         assert_eq!(exact3.is_double(PredicateKind::Insphere), is_exact);
         let (points2, points3) = (Points::of(&scene2), Points::of(&scene3));
         check(
-            |ties, out, _| orient2d::<SCHEME>(&flat, ties, out),
+            |ties, out| orient2d::<SCHEME>(&flat, ties, out),
             |args| leading::orient2d::<SCHEME>(points2, Plane::Xy, args),
-            is_exact,
         );
         check(
-            |ties, out, is_exact| orient3d::<SCHEME>(&solid, ties, out, is_exact),
+            |ties, out| orient3d::<SCHEME>(&solid, ties, out),
             |args| leading::orient3d::<SCHEME>(&exact3, points3, args),
-            is_exact,
         );
         check(
-            |ties, out, is_exact| incircle::<SCHEME>(&flat, ties, out, is_exact),
+            |ties, out| incircle::<SCHEME>(&flat, ties, out),
             |args| leading::incircle::<SCHEME>(&exact2, points2, args),
-            is_exact,
         );
         check(
-            |ties, out, is_exact| insphere::<SCHEME>(&solid, ties, out, is_exact),
+            |ties, out| insphere::<SCHEME>(&solid, ties, out),
             |args| leading::insphere::<SCHEME>(&exact3, points3, args),
-            is_exact,
         );
     }
 

@@ -12,16 +12,12 @@ use std::ops::ControlFlow;
 use predicament_predicates::{Axis, Dimension, Off, Plane, PredicateKind, Scene, Sign, Vertex};
 
 use crate::filter::{self, Struck, order};
+use crate::gradient::{self, INCIRCLE, INSPHERE, ORIENT2D, ORIENT3D, first_nonzero, in_order};
 use crate::ties::projection;
 use crate::{Lift, Scheme, Term};
 use crate::{deep, short};
 
 type Exact<'s> = predicament_exact::Session<'s, Off>;
-
-/// The index of a predicate in [`PredicateKind::ALL`].
-const ORIENT3D: usize = PredicateKind::Orient3d.index();
-pub(crate) const INCIRCLE: usize = PredicateKind::Incircle.index();
-pub(crate) const INSPHERE: usize = PredicateKind::Insphere.index();
 
 /// The index of a scheme in [`Scheme::ALL`].
 pub(crate) const PER_COORDINATE: usize = Scheme::PerCoordinate as usize;
@@ -43,6 +39,18 @@ impl<'s> Points<'s> {
         Points { flat, solid }
     }
 
+    /// The vertex of a point of the plane, by its place among all.
+    #[inline(always)]
+    pub fn vertex2(self, point: &[f64; 2]) -> Vertex {
+        Vertex::input(offset(self.flat, point))
+    }
+
+    /// The vertex of a point of space, by its place among all.
+    #[inline(always)]
+    pub fn vertex3(self, point: &[f64; 3]) -> Vertex {
+        Vertex::input(offset(self.solid, point))
+    }
+
     /// A coordinate; `None` if the vertex is not an input vertex, or has no such coordinate.
     #[inline(always)]
     pub fn coordinate(self, axis: Axis, v: Vertex) -> Option<f64> {
@@ -52,6 +60,12 @@ impl<'s> Points<'s> {
             self.solid.get(v.index()).map(|point| point[axis.index()])
         }
     }
+}
+
+/// The index of an element of a slice, from the addresses of both.
+#[inline(always)]
+fn offset<T>(slice: &[T], element: &T) -> usize {
+    (std::ptr::from_ref(element).addr() - slice.as_ptr().addr()) / size_of::<T>()
 }
 
 /// The sign of the first nonzero term, and its place in the list.
@@ -64,8 +78,9 @@ pub(crate) type Decided = Option<(Sign, usize)>;
 /// `SCHEME` is an index in [`Scheme::ALL`], here and below.
 #[inline(always)]
 pub(crate) fn orient2d<const SCHEME: usize>(points: Points, plane: Plane, args: [Vertex; 3]) -> Decided {
-    let decided = if points.solid.is_empty() {
-        differences::<SCHEME>(points.flat, args)
+    let [p, q] = after_smallest(args)?;
+    let rows = if points.solid.is_empty() {
+        [*points.flat.get(p.index())?, *points.flat.get(q.index())?]
     } else {
         // Columns ascend, so zx is xz, its mirror image: as if two vertices were exchanged.
         let ([x, y], is_mirrored) = match plane {
@@ -73,65 +88,14 @@ pub(crate) fn orient2d<const SCHEME: usize>(points: Points, plane: Plane, args: 
             Plane::Yz => ([1, 2], false),
             Plane::Zx => ([0, 2], true),
         };
-        let [p, q] = after_smallest(args)?;
         let [p, q] = if is_mirrored { [q, p] } else { [p, q] };
         let [p, q] = [points.solid.get(p.index())?, points.solid.get(q.index())?];
-        differences_of::<SCHEME>([[p[x], p[y]], [q[x], q[y]]])
+        [[p[x], p[y]], [q[x], q[y]]]
     };
-    match decided {
+    match first_nonzero(in_order::<SCHEME, ORIENT2D, 2>(gradient::orient2d([[0.0; 2], rows[0], rows[1]]))) {
         None => rest_of_orient2d::<SCHEME>(points, plane, args),
         decided => decided,
     }
-}
-
-/// Breaks a tie of `orient2d` in the plane by the leading terms.
-///
-/// `None` if both are zero, a vertex is not an input vertex, or the smallest vertex occurs twice.
-#[inline(always)]
-pub(crate) fn differences<const SCHEME: usize>(points: &[[f64; 2]], args: [Vertex; 3]) -> Decided {
-    let [p, q] = after_smallest(args)?;
-    differences_of::<SCHEME>([*points.get(p.index())?, *points.get(q.index())?])
-}
-
-/// The leading terms of `orient2d`, from the rows after the smallest vertex.
-#[inline(always)]
-fn differences_of<const SCHEME: usize>(rows: [[f64; 2]; 2]) -> Decided {
-    let [first, second] = const {
-        let terms = Scheme::ALL[SCHEME].terms(PredicateKind::Orient2d);
-        [difference(terms[0]), difference(terms[1])]
-    };
-    // (A difference of doubles has the right sign.)
-    let compared = |[p, q, column]: [usize; 3]| rows[p - 1][column] - rows[q - 1][column];
-    first_nonzero([compared(first), compared(second)])
-}
-
-/// The sign and the place of the first of some values that is not zero; `None` if all are.
-///
-/// Values are selected as integers, without branches: the first one is zero too often for a branch.
-#[inline(always)]
-fn first_nonzero<const N: usize>(values: [f64; N]) -> Decided {
-    let is_zero = |bits: u64| bits << 1 == 0;
-    let (mut first, mut place) = (values[N - 1].to_bits(), N - 1);
-    for at in (0..N - 1).rev() {
-        let bits = values[at].to_bits();
-        (first, place) = if is_zero(bits) { (first, place) } else { (bits, at) };
-    }
-    const SIGNS: [Sign; 2] = [Sign::Positive, Sign::Negative];
-    (!is_zero(first)).then_some((SIGNS[usize::from(first >> 63 == 1)], place))
-}
-
-/// The sign of a value that is not zero.
-#[inline(always)]
-pub(crate) fn sign_of(value: f64) -> Option<Sign> {
-    const SIGNS: [Sign; 2] = [Sign::Negative, Sign::Positive];
-    (value != 0.0).then_some(SIGNS[usize::from(value > 0.0)])
-}
-
-/// A leading term of `orient2d`: the positive row, the other row, and the column.
-pub(crate) const fn difference(term: Term) -> [usize; 3] {
-    assert!(term.rows.len() == 2 && term.rows[0] == 1 && term.columns.len() == 1 && term.lift.is_none());
-    let column = term.columns[0] as usize;
-    if matches!(term.sign, Sign::Negative) { [2, 1, column] } else { [1, 2, column] }
 }
 
 /// Breaks a tie of `orient2d` whose two vertices with larger indices coincide in the plane.
@@ -193,44 +157,11 @@ pub(crate) fn orient3d<const SCHEME: usize>(exact: &Exact, points: Points, args:
     // (The tie has made the scene's plan.)
     let is_exact = exact.is_double(PredicateKind::Orient3d);
     let decided = if is_exact {
-        let [_, p, q, r] = points_of;
-        turns::<SCHEME>(p, q, r).ok_or(3)
+        gradient::decide::<SCHEME, ORIENT3D, _, _, _>(points_of, gradient::orient3d).ok_or(3)
     } else {
-        first::<SCHEME, ORIENT3D>(Three::<false, 3> { exact, vertices, points: points_of })
+        first::<SCHEME, ORIENT3D>(Three::<3> { exact, vertices, points: points_of })
     };
     decided.map_or_else(|from| deep::<SCHEME, ORIENT3D, 3, 4>(exact, points.solid, args, (is_exact, from)), Some)
-}
-
-/// Breaks a tie of `orient3d` by the leading terms if doubles make no error.
-///
-/// `None` if all of them are zero, a vertex is not an input vertex, or the smallest vertex occurs twice.
-#[inline(always)]
-pub(crate) fn turns_of<const SCHEME: usize>(points: &[[f64; 3]], args: [Vertex; 4]) -> Decided {
-    let [_, p, q, r] = smallest_first(args)?;
-    turns::<SCHEME>(points.get(p.index())?, points.get(q.index())?, points.get(r.index())?)
-}
-
-/// The leading terms of `orient3d` if doubles make no error, all three at once.
-#[inline(always)]
-fn turns<const SCHEME: usize>(p: &[f64; 3], q: &[f64; 3], r: &[f64; 3]) -> Decided {
-    let [u, v] = [[p[0] - r[0], p[1] - r[1], p[2] - r[2]], [q[0] - r[0], q[1] - r[1], q[2] - r[2]]];
-    let minor = |[x, y]: [usize; 2]| u[x] * v[y] - u[y] * v[x];
-    let [first, second, third] = const { turned_columns(Scheme::ALL[SCHEME].terms(PredicateKind::Orient3d)) };
-    first_nonzero([minor(first), minor(second), minor(third)])
-}
-
-/// The columns of `orient3d`'s leading terms, exchanged if the sign is negative.
-pub(crate) const fn turned_columns(terms: &'static [Term]) -> [[usize; 2]; 3] {
-    let mut columns = [[0; 2]; 3];
-    let mut at = 0;
-    while at < 3 {
-        let (term, [x, y]) = (terms[at], [terms[at].columns[0] as usize, terms[at].columns[1] as usize]);
-        assert!(term.rows.len() == 3 && term.rows[0] == 1 && term.columns.len() == 2 && term.lift.is_none());
-        columns[at] = if matches!(term.sign, Sign::Negative) { [y, x] } else { [x, y] };
-        at += 1;
-    }
-    assert!(leading(terms, 3).is_none(), "three leading terms");
-    columns
 }
 
 /// Breaks a tie of `incircle`.
@@ -243,9 +174,9 @@ pub(crate) fn incircle<const SCHEME: usize>(exact: &Exact, points: Points, args:
     // (The tie has made the scene's plan.)
     let is_exact = exact.is_double(PredicateKind::Incircle);
     let decided = if is_exact {
-        first::<SCHEME, INCIRCLE>(Three::<true, 2> { exact, vertices, points: points_of })
+        gradient::decide::<SCHEME, INCIRCLE, _, _, _>(points_of, gradient::incircle).ok_or(3)
     } else {
-        first::<SCHEME, INCIRCLE>(Three::<false, 2> { exact, vertices, points: points_of })
+        first::<SCHEME, INCIRCLE>(Three::<2> { exact, vertices, points: points_of })
     };
     decided.map_or_else(|from| deep::<SCHEME, INCIRCLE, 2, 4>(exact, points.flat, args, (is_exact, from)), Some)
 }
@@ -260,9 +191,9 @@ pub(crate) fn insphere<const SCHEME: usize>(exact: &Exact, points: Points, args:
     // (The tie has made the scene's plan.)
     let is_exact = exact.is_double(PredicateKind::Insphere);
     let decided = if is_exact {
-        first::<SCHEME, INSPHERE>(Four::<true> { exact, vertices, points: points_of })
+        gradient::decide::<SCHEME, INSPHERE, _, _, _>(points_of, gradient::insphere).ok_or(4)
     } else {
-        first::<SCHEME, INSPHERE>(Four::<false> { exact, vertices, points: points_of })
+        first::<SCHEME, INSPHERE>(Four { exact, vertices, points: points_of })
     };
     decided.map_or_else(|from| deep::<SCHEME, INSPHERE, 3, 5>(exact, points.solid, args, (is_exact, from)), Some)
 }
@@ -286,13 +217,13 @@ trait Rows: Copy {
 
 /// Three of four points of the plane or of space.
 #[derive(Clone, Copy)]
-struct Three<'a, const EXACT: bool, const D: usize> {
+struct Three<'a, const D: usize> {
     exact: &'a Exact<'a>,
     vertices: [Vertex; 4],
     points: [&'a [f64; D]; 4],
 }
 
-impl<const EXACT: bool, const D: usize> Rows for Three<'_, EXACT, D> {
+impl<const D: usize> Rows for Three<'_, D> {
     #[inline(always)]
     fn sign(self, term: Term) -> Option<Sign> {
         let [first, p, q, r] = self.points;
@@ -303,7 +234,7 @@ impl<const EXACT: bool, const D: usize> Rows for Three<'_, EXACT, D> {
                 let [x, y] = plane.axes().map(Axis::index);
                 // All leading terms of both schemes are; another list does not compile to a wrong sign.
                 assert!(term.sign == orientation, "a leading term is the turn of its rows in their order");
-                match filter::turn::<EXACT>([[p[x], p[y]], [q[x], q[y]], [r[x], r[y]]]) {
+                match filter::turn::<false>([[p[x], p[y]], [q[x], q[y]], [r[x], r[y]]]) {
                     None => Some(turn(self.exact, plane, self.vertices[1], self.vertices[2], self.vertices[3])),
                     certain => certain,
                 }
@@ -311,13 +242,8 @@ impl<const EXACT: bool, const D: usize> Rows for Three<'_, EXACT, D> {
             (&[x], Some(lift)) => {
                 let [p, q] = if is_negative { [q, p] } else { [p, q] };
                 let column = usize::from(x);
-                let (struck, is_vertex) = struck(lift, 1 - column, first);
-                let sign = if EXACT && is_vertex {
-                    filter::flat::<true, D>([p, q, r], column, struck)
-                } else {
-                    filter::flat::<false, D>([p, q, r], column, struck)
-                };
-                match sign {
+                let struck = struck(lift, 1 - column, first);
+                match filter::flat([p, q, r], column, struck) {
                     None => short::flat([p, q, r], column, struck),
                     certain => certain,
                 }
@@ -336,13 +262,13 @@ fn turn(exact: &Exact, plane: Plane, p: Vertex, q: Vertex, r: Vertex) -> Sign {
 
 /// Four of five points of space.
 #[derive(Clone, Copy)]
-struct Four<'a, const EXACT: bool> {
+struct Four<'a> {
     exact: &'a Exact<'a>,
     vertices: [Vertex; 5],
     points: [&'a [f64; 3]; 5],
 }
 
-impl<const EXACT: bool> Rows for Four<'_, EXACT> {
+impl Rows for Four<'_> {
     #[inline(always)]
     fn sign(self, term: Term) -> Option<Sign> {
         let [first, p, q, r, s] = self.points;
@@ -356,13 +282,8 @@ impl<const EXACT: bool> Rows for Four<'_, EXACT> {
             (&[x, y], Some(lift)) => {
                 let [p, q] = if is_negative { [q, p] } else { [p, q] };
                 let columns = [x, y].map(usize::from);
-                let (struck, is_vertex) = struck(lift, 3 - columns[0] - columns[1], first);
-                let sign = if EXACT && is_vertex {
-                    filter::solid::<true>([p, q, r, s], columns, struck)
-                } else {
-                    filter::solid::<false>([p, q, r, s], columns, struck)
-                };
-                match sign {
+                let struck = struck(lift, 3 - columns[0] - columns[1], first);
+                match filter::solid([p, q, r, s], columns, struck) {
                     None => short::solid([p, q, r, s], columns, struck),
                     certain => certain,
                 }
@@ -374,15 +295,12 @@ impl<const EXACT: bool> Rows for Four<'_, EXACT> {
 
 const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
 
-/// The origin of the lift, and true if that is a vertex.
+/// The origin of the lift.
 ///
 /// Only the first row can be an origin: no other vertex has moved. An origin that is not a vertex may be anywhere.
 #[inline(always)]
-fn struck<const D: usize>(lift: Lift, column: usize, first: &[f64; D]) -> (Struck, bool) {
-    match lift.about[column] {
-        Some(_) => (Struck { column, origin: first[column] }, true),
-        None => (Struck { column, origin: 0.0 }, false),
-    }
+fn struck<const D: usize>(lift: Lift, column: usize, first: &[f64; D]) -> Struck {
+    Struck { column, origin: if lift.about[column].is_some() { first[column] } else { 0.0 } }
 }
 
 /// The two vertices that follow the smallest one in cyclic order; `None` if the smallest occurs twice.
@@ -490,19 +408,14 @@ mod tests {
             let vertices = [0, 1, 2, 3, 4].map(Vertex::input);
             let [a, b, c, d, _] = vertices;
             let (four, points) = ([a, b, c, d], [&solid[0], &solid[1], &solid[2], &solid[3]]);
-            let rows = Three::<false, 3> { exact: &exact, vertices: four, points };
+            let rows = Three::<3> { exact: &exact, vertices: four, points };
             assert_eq!(check(PredicateKind::Orient3d, rows, &solid), 6);
-            let rows = Four::<false> { exact: &exact, vertices, points: solid.each_ref() };
+            let rows = Four { exact: &exact, vertices, points: solid.each_ref() };
             assert!(check(PredicateKind::Insphere, rows, &solid) > 4);
             let scene = Scene::new(Dimension::Two, flat.concat()).unwrap();
             let exact = predicament_exact::Exact.prepare(&scene, Off).unwrap();
-            let rows =
-                Three::<false, 2> { exact: &exact, vertices: four, points: [&flat[0], &flat[1], &flat[2], &flat[3]] };
+            let rows = Three::<2> { exact: &exact, vertices: four, points: [&flat[0], &flat[1], &flat[2], &flat[3]] };
             assert!(check(PredicateKind::Incircle, rows, &flat) > 3);
-            if unit == 1.0 {
-                let rows = Three::<true, 2> { exact: rows.exact, vertices: four, points: rows.points };
-                check(PredicateKind::Incircle, rows, &flat);
-            }
         }
     }
 }

@@ -27,6 +27,7 @@ pub mod derive;
 #[cfg(feature = "formulas")]
 mod derived;
 mod filter;
+mod gradient;
 #[cfg(feature = "gmp")]
 pub mod infinitesimal;
 mod integer;

@@ -79,12 +79,12 @@ impl<'a> Lifted<'a> {
             (2, &[p, q, r], &[x]) => {
                 let column = usize::from(x);
                 let (points, struck) = ([at(p), at(q), at(r)], struck(1 - column));
-                filter::flat::<false, _>(points, column, struck).or_else(|| short::flat(points, column, struck))
+                filter::flat(points, column, struck).or_else(|| short::flat(points, column, struck))
             }
             (3, &[p, q, r, s], &[x, y]) => {
                 let columns = [x, y].map(usize::from);
                 let (points, struck) = ([at(p), at(q), at(r), at(s)], struck(3 - columns[0] - columns[1]));
-                filter::solid::<false>(points, columns, struck).or_else(|| short::solid(points, columns, struck))
+                filter::solid(points, columns, struck).or_else(|| short::solid(points, columns, struck))
             }
             _ => None,
         }

@@ -5,9 +5,9 @@ use predicament_predicates::{
     Axis, Construction, Declined, Plane, PredicateKind, Predicates, Refused, Scene, Sessions, Sign, Tally, Vertex,
 };
 
-use crate::breaker::{AS_EXACT, Breaker};
+use crate::breaker::Breaker;
 #[cfg(feature = "formulas")]
-use crate::{derived, stage};
+use crate::{breaker::AS_EXACT, derived, stage};
 
 /// The backend, prepared for one scene.
 pub struct Session<'s, T> {
@@ -24,18 +24,6 @@ impl<'s, T: Tally> Session<'s, T> {
     fn tallied(&self, kind: PredicateKind, (sign, stage): (Sign, usize)) -> Sign {
         self.tally.settled(kind, stage);
         sign
-    }
-
-    /// The exact backend's answer, or the answer of the tie if that is zero.
-    #[inline(always)]
-    fn settle(&self, kind: PredicateKind, exact: (Sign, usize), tie: impl FnOnce() -> (Sign, usize)) -> Sign {
-        if !exact.0.is_zero() {
-            return self.tallied(kind, exact);
-        }
-        match tie() {
-            (sign, AS_EXACT) => self.tallied(kind, (sign, exact.1)),
-            broken => self.tallied(kind, broken),
-        }
     }
 
     /// Answers a batch, one by one if a tally listens.
@@ -99,35 +87,32 @@ impl<T: Tally> Predicates for Session<'_, T> {
 
     #[inline]
     fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
-        let exact = self.breaker.exact.decide_orient2d(plane, a, b, c);
-        self.settle(PredicateKind::Orient2d, exact, || self.breaker.tie_orient2d(plane, a, b, c))
+        self.tallied(PredicateKind::Orient2d, self.breaker.orient2d(plane, a, b, c))
     }
 
     #[inline]
     fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        let exact = self.breaker.exact.decide_orient3d(a, b, c, d);
-        self.settle(PredicateKind::Orient3d, exact, || self.breaker.tie_orient3d(a, b, c, d))
+        self.tallied(PredicateKind::Orient3d, self.breaker.orient3d(a, b, c, d))
     }
 
     #[inline]
     fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        let exact = self.breaker.exact.decide_incircle(a, b, c, d);
-        self.settle(PredicateKind::Incircle, exact, || self.breaker.tie_incircle(a, b, c, d))
+        self.tallied(PredicateKind::Incircle, self.breaker.incircle(a, b, c, d))
     }
 
     #[inline]
     fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
-        let exact = self.breaker.exact.decide_insphere(a, b, c, d, e);
-        self.settle(PredicateKind::Insphere, exact, || self.breaker.tie_insphere(a, b, c, d, e))
+        self.tallied(PredicateKind::Insphere, self.breaker.insphere(a, b, c, d, e))
     }
 
     #[cfg(feature = "formulas")]
     fn sign(&self, predicate: predicament_predicates::Derived, vertices: &[Vertex]) -> Sign {
         let exact = self.breaker.exact.decide_derived(predicate, vertices);
-        self.settle(PredicateKind::Derived(predicate), exact, || {
+        let decided = self.breaker.tied(exact, || {
             let decided = derived::tie(self.breaker.scheme, self.scene(), predicate, vertices);
             decided.map_or((Sign::Zero, AS_EXACT), |(sign, place)| (sign, stage::of_term(self.breaker.scheme, place)))
-        })
+        });
+        self.tallied(PredicateKind::Derived(predicate), decided)
     }
 
     fn compare_batch(&self, axis: Axis, queries: &[[Vertex; 2]], out: &mut [Sign]) {

@@ -10,6 +10,7 @@
 mod sweep;
 #[cfg(test)]
 mod tests;
+mod ties;
 
 use core::marker::PhantomData;
 
@@ -20,6 +21,8 @@ use crate::anywhere::Bounded;
 use crate::predicate::Predicate;
 use crate::stage;
 pub(crate) use sweep::{Sweep, sweep};
+use ties::BreakZeros;
+pub use ties::{Ties, Unbroken};
 
 /// The number of queries of a batch that each stage has settled, by the stage's index.
 pub(crate) type Settled = [u64; stage::NAMES.len()];
@@ -27,7 +30,7 @@ pub(crate) type Settled = [u64; stage::NAMES.len()];
 pub(crate) const NONE: Settled = [0; stage::NAMES.len()];
 
 /// Queries of `N` vertices each, with the filter's bound and the function for open queries.
-pub(crate) struct Batch<'a, B, C, const E: usize, const N: usize> {
+pub(crate) struct Batch<'a, B, C, T, const E: usize, const N: usize> {
     /// The bound of the static filter, or NaN.
     pub static_bound: f64,
     /// The points of the vertices; a query with a vertex without a point is never certain and climbs.
@@ -40,12 +43,14 @@ pub(crate) struct Batch<'a, B, C, const E: usize, const N: usize> {
     pub is_double: B,
     /// Answers an open query, and returns the stage that settled it.
     pub climb: C,
+    /// Breaks the ties of blocks where doubles make no error.
+    pub ties: T,
 }
 
 /// Answers all queries with a predicate that sees points in this view.
 #[inline]
 pub(crate) fn run<P, V, const E: usize, const D: usize, const N: usize>(
-    batch: Batch<'_, impl Fn() -> bool, impl Fn(&[Vertex; N]) -> (Sign, usize), E, N>,
+    batch: Batch<'_, impl Fn() -> bool, impl Fn(&[Vertex; N]) -> (Sign, usize), impl Ties<D, N>, E, N>,
 ) -> Settled
 where
     P: Predicate<D, N>,
@@ -60,8 +65,10 @@ struct Of<B, P> {
     predicate: PhantomData<P>,
 }
 
-impl<P, V, B, C, const E: usize, const D: usize, const N: usize> Kernel for Of<Batch<'_, B, C, E, N>, (P, V, [(); D])>
+impl<P, V, B, C, T, const E: usize, const D: usize, const N: usize> Kernel
+    for Of<Batch<'_, B, C, T, E, N>, (P, V, [(); D])>
 where
+    T: Ties<D, N>,
     P: Predicate<D, N>,
     V: View<E, D>,
     B: Fn() -> bool,
@@ -71,7 +78,7 @@ where
 
     #[inline(always)]
     unsafe fn run<const WIDE: bool>(self) -> Settled {
-        let Batch { static_bound, points, queries, out, is_double, climb } = self.batch;
+        let Batch { static_bound, points, queries, out, is_double, climb, ties } = self.batch;
         let mut settled = NONE;
         let mut block = Block::EMPTY;
         for (queries, out) in queries.chunks(BLOCK).zip(out.chunks_mut(BLOCK)) {
@@ -107,6 +114,9 @@ where
             // (Vertices without points have a NaN determinant, which is not zero.)
             if left & !zeros == 0 && is_double() {
                 settled[stage::DOUBLE] += u64::from(left.count_ones());
+                if T::BREAKS && left.count_ones() >= ties::MANY {
+                    ties.break_zeros(&block, queries, out);
+                }
                 continue;
             }
             for at in ones(left) {

@@ -4,7 +4,7 @@ use predicament_lanes::{Along, View, Whole, Width, Xy, Yz, Zx, run_on};
 use predicament_predicates::{Sign, Vertex};
 use proptest::prelude::*;
 
-use super::{Batch, Of, Sweep, sweep};
+use super::{Batch, Of, Sweep, Unbroken, sweep};
 use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
 use crate::side::Side;
 use crate::stage;
@@ -57,6 +57,7 @@ fn check<P: Predicate<D, N>, V: View<E, D>, const E: usize, const D: usize, cons
                     out: &mut out,
                     is_double: || false,
                     climb: |_: &[Vertex; N]| (CLIMBED, stage::DYADIC),
+                    ties: Unbroken,
                 },
                 predicate: std::marker::PhantomData::<(P, V, [(); D])>,
             },

@@ -5,7 +5,7 @@ use predicament_lanes::{Along, View, Whole, Xy, Yz, Zx};
 use predicament_predicates::{Axis, Dimension, Plane, Sign, Vertex};
 
 use super::Decider;
-use crate::batch::{self, Batch, NONE, Settled, Sweep};
+use crate::batch::{self, Batch, NONE, Settled, Sweep, Ties, Unbroken};
 use crate::first;
 use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
 use crate::side::Side;
@@ -24,7 +24,23 @@ impl Decider<'_> {
         }
     }
 
+    /// Returns true if turns in the plane are decided one by one, in integers.
+    pub fn turns_in_integers(&self) -> bool {
+        self.turn_scale[Plane::Xy as usize] != 0.0
+    }
+
     pub fn orient2d_batch(&self, plane: Plane, queries: &[[Vertex; 3]], out: &mut [Sign]) -> Settled {
+        self.orient2d_batch_with(plane, queries, out, Unbroken)
+    }
+
+    #[inline]
+    pub fn orient2d_batch_with(
+        &self,
+        plane: Plane,
+        queries: &[[Vertex; 3]],
+        out: &mut [Sign],
+        ties: impl Ties<2, 3>,
+    ) -> Settled {
         if self.turn_scale[plane as usize] != 0.0 {
             return singly(queries, out, |&[a, b, c]| self.decide_orient2d(plane, a, b, c));
         }
@@ -35,11 +51,11 @@ impl Decider<'_> {
         match (self.constructed.scene().dimension(), plane) {
             (Dimension::Two, Plane::Xy) => {
                 let is_double = || self.flat().orient2d.is_double();
-                self.batch::<Orient2d, Whole, 2, 2, 3>(bound, self.points2, asked, is_double, climb)
+                self.batch::<Orient2d, Whole, 2, 2, 3>(bound, self.points2, asked, is_double, climb, ties)
             }
-            (_, Plane::Xy) => self.batch::<Orient2d, Xy, 3, 2, 3>(bound, self.points3, asked, is_double, climb),
-            (_, Plane::Yz) => self.batch::<Orient2d, Yz, 3, 2, 3>(bound, self.points3, asked, is_double, climb),
-            (_, Plane::Zx) => self.batch::<Orient2d, Zx, 3, 2, 3>(bound, self.points3, asked, is_double, climb),
+            (_, Plane::Xy) => self.batch::<Orient2d, Xy, 3, 2, 3>(bound, self.points3, asked, is_double, climb, ties),
+            (_, Plane::Yz) => self.batch::<Orient2d, Yz, 3, 2, 3>(bound, self.points3, asked, is_double, climb, ties),
+            (_, Plane::Zx) => self.batch::<Orient2d, Zx, 3, 2, 3>(bound, self.points3, asked, is_double, climb, ties),
         }
     }
 
@@ -77,21 +93,36 @@ impl Decider<'_> {
     }
 
     pub fn orient3d_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) -> Settled {
+        self.orient3d_batch_with(queries, out, Unbroken)
+    }
+
+    #[inline]
+    pub fn orient3d_batch_with(&self, queries: &[[Vertex; 4]], out: &mut [Sign], ties: impl Ties<3, 4>) -> Settled {
         let climb = |&[a, b, c, d]: &[Vertex; 4]| self.open_orient3d(f64::NAN, a, b, c, d);
         let is_double = || self.solid().orient3d.is_double();
-        self.batch::<Orient3d, Whole, 3, 3, 4>(self.orient3d, self.points3, (queries, out), is_double, climb)
+        self.batch::<Orient3d, Whole, 3, 3, 4>(self.orient3d, self.points3, (queries, out), is_double, climb, ties)
     }
 
     pub fn incircle_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) -> Settled {
+        self.incircle_batch_with(queries, out, Unbroken)
+    }
+
+    #[inline]
+    pub fn incircle_batch_with(&self, queries: &[[Vertex; 4]], out: &mut [Sign], ties: impl Ties<2, 4>) -> Settled {
         let climb = |&[a, b, c, d]: &[Vertex; 4]| self.open_incircle(f64::NAN, a, b, c, d);
         let is_double = || self.flat().incircle.is_double();
-        self.batch::<Incircle, Whole, 2, 2, 4>(self.incircle, self.points2, (queries, out), is_double, climb)
+        self.batch::<Incircle, Whole, 2, 2, 4>(self.incircle, self.points2, (queries, out), is_double, climb, ties)
     }
 
     pub fn insphere_batch(&self, queries: &[[Vertex; 5]], out: &mut [Sign]) -> Settled {
+        self.insphere_batch_with(queries, out, Unbroken)
+    }
+
+    #[inline]
+    pub fn insphere_batch_with(&self, queries: &[[Vertex; 5]], out: &mut [Sign], ties: impl Ties<3, 5>) -> Settled {
         let climb = |query: &[Vertex; 5]| self.open_insphere(f64::NAN, *query);
         let is_double = || self.solid().insphere.is_double();
-        self.batch::<Insphere, Whole, 3, 3, 5>(self.insphere, self.points3, (queries, out), is_double, climb)
+        self.batch::<Insphere, Whole, 3, 3, 5>(self.insphere, self.points3, (queries, out), is_double, climb, ties)
     }
 }
 
@@ -104,8 +135,9 @@ impl Decider<'_> {
         (queries, out): (&[[Vertex; N]], &mut [Sign]),
         is_double: impl Fn() -> bool,
         climb: impl Fn(&[Vertex; N]) -> (Sign, usize),
+        ties: impl Ties<D, N>,
     ) -> Settled {
-        batch::run::<P, V, E, D, N>(Batch { static_bound, points, queries, out, is_double, climb })
+        batch::run::<P, V, E, D, N>(Batch { static_bound, points, queries, out, is_double, climb, ties })
     }
 
     /// The bound of the static filter for turns.

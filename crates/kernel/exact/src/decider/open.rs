@@ -21,11 +21,11 @@ impl Decider<'_> {
 
     #[inline(never)]
     pub(super) fn turn_in_integers(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> (Sign, usize) {
-        let scale = self.turn_scale[plane as usize];
-        let at = |v: Vertex| self.points2.get(v.index());
-        if let (Some(a), Some(b), Some(c)) = (at(a), at(b), at(c)) {
-            return (Orient2d::integer(scaled(&[*a, *b, *c], scale), 2), stage::INTEGER);
+        // (A vertex of a 2D scene is never among the points of a 3D scene.)
+        if let Some((sign, _)) = self.turn_of_integers(a, b, c) {
+            return (sign, stage::INTEGER);
         }
+        let scale = self.turn_scale[plane as usize];
         let at = |v: Vertex| self.points3.get(v.index());
         if let (Some(p), Some(q), Some(r)) = (at(a), at(b), at(c)) {
             let [i, j] = plane.axes().map(Axis::index);
@@ -37,7 +37,7 @@ impl Decider<'_> {
 
     /// Answers a turn that its filter leaves open.
     #[inline(never)]
-    pub(super) fn climb_orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> (Sign, usize) {
+    pub(crate) fn climb_orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> (Sign, usize) {
         let at = |v: Vertex| self.points2.get(v.index());
         // (A vertex of a 2D scene is never among the points of a 3D scene, and vice versa.)
         if plane == Plane::Xy
@@ -115,7 +115,7 @@ impl Decider<'_> {
 
     #[cold]
     #[inline(never)]
-    pub(super) fn open_orient3d(&self, determinant: f64, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
+    pub(crate) fn open_orient3d(&self, determinant: f64, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
         // A tie if doubles make no error; once the plan is known, nothing else is needed.
         if determinant == 0.0 && self.solid.get().is_some_and(|plan| plan.orient3d.is_double()) {
             return (Sign::Zero, stage::DOUBLE);
@@ -138,7 +138,7 @@ impl Decider<'_> {
 
     #[cold]
     #[inline(never)]
-    pub(super) fn open_incircle(&self, determinant: f64, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
+    pub(crate) fn open_incircle(&self, determinant: f64, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
         // A tie if doubles make no error; once the plan is known, nothing else is needed.
         if determinant == 0.0 && self.flat.get().is_some_and(|plan| plan.incircle.is_double()) {
             return (Sign::Zero, stage::DOUBLE);
@@ -161,7 +161,7 @@ impl Decider<'_> {
 
     #[cold]
     #[inline(never)]
-    pub(super) fn open_insphere(&self, determinant: f64, vertices: [Vertex; 5]) -> (Sign, usize) {
+    pub(crate) fn open_insphere(&self, determinant: f64, vertices: [Vertex; 5]) -> (Sign, usize) {
         // A tie if doubles make no error; once the plan is known, nothing else is needed.
         if determinant == 0.0 && self.solid.get().is_some_and(|plan| plan.insphere.is_double()) {
             return (Sign::Zero, stage::DOUBLE);

@@ -5,7 +5,7 @@ use predicament_lanes::{View, Whole, Xy, Yz, Zx};
 use predicament_predicates::{Axis, Plane, PredicateKind, Sign, Tally, Vertex};
 
 use super::WithoutSession;
-use crate::batch::{self, Batch, Settled, Sweep};
+use crate::batch::{self, Batch, Settled, Sweep, Unbroken};
 use crate::decider::batches::{beside, singly};
 use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
 use crate::side::Side;
@@ -107,7 +107,7 @@ impl<T: Tally, const DEVICE: usize> WithoutSession<'_, T, DEVICE> {
             return batch::sweep::<V, E, D, N>(Sweep { evaluate, points, queries, out, stage, climb });
         }
         let is_double = || self.is_double(kind, plane);
-        batch::run::<P, V, E, D, N>(Batch { static_bound, points, queries, out, is_double, climb })
+        batch::run::<P, V, E, D, N>(Batch { static_bound, points, queries, out, is_double, climb, ties: Unbroken })
     }
 
     /// The bound of the static filter for turns.
