@@ -164,7 +164,8 @@ pub(super) fn measured(
             open: Vec::new(),
         }],
     };
-    let flaws = slices.flaws(Expected { is_closed: true, has_areas: true, triangles_crossed: CROSSED });
+    let flaws =
+        slices.flaws(Expected { is_closed: true, has_areas: true, may_stand: false, triangles_crossed: CROSSED });
     let count = |check: Check| {
         flaws.iter().find(|flaw| flaw.check == check).map_or(0, |flaw| flaw.count.try_into().unwrap_or(usize::MAX))
     };

@@ -12,7 +12,12 @@ pub(super) fn flaws(points: Vec<[Rational; 3]>, triangles: &[[u32; 3]], crossed:
     let part = Part { triangles: triangles.to_vec(), pieces, open: Vec::new() };
     let faces = triangles.iter().map(|triangle| triangle.to_vec()).collect();
     let slices = Slices { points, faces, planes: Vec::new(), parts: vec![part] };
-    slices.flaws_of_surface(Expected { is_closed: false, has_areas: true, triangles_crossed: crossed })
+    slices.flaws_of_surface(Expected {
+        is_closed: false,
+        has_areas: true,
+        may_stand: false,
+        triangles_crossed: crossed,
+    })
 }
 
 /// The first flaw of a surface of doubles, in words: all pairs of triangles are compared, in rationals. `None` if there

@@ -173,16 +173,11 @@ fn moved<P: Predicates + ?Sized>(session: &P, [i, j]: [Axis; 2], [u, v]: [Vertex
 /// True if a point of the triangle's plane is in the triangle, borders included.
 fn is_within<P: Predicates + ?Sized>(session: &P, corners: [Vertex; 3], q: Vertex) -> bool {
     let [a, b, c] = corners;
-    let mut turns = false;
-    for plane in [Plane::Xy, Plane::Yz, Plane::Zx] {
-        let signs = [[a, b], [b, c], [c, a]].map(|[u, v]| session.orient2d(plane, u, v, q));
-        if signs.contains(&Sign::Positive) && signs.contains(&Sign::Negative) {
-            return false;
-        }
-        turns |= signs != [Sign::Zero; 3];
-    }
     let is_on_one_side = |signs: [Sign; 3]| signs[0] != Sign::Zero && signs == [signs[0]; 3];
     let is_beside = |axis: Axis| is_on_one_side(corners.map(|v| session.compare(axis, v, q)));
-    // Without turns, the corners and the point are on one line, or the corners are at one place.
-    turns || ![Axis::X, Axis::Y, Axis::Z].into_iter().any(is_beside)
+    [Plane::Xy, Plane::Yz, Plane::Zx].into_iter().all(|plane| {
+        let signs = [[a, b], [b, c], [c, a]].map(|[u, v]| session.orient2d(plane, u, v, q));
+        !(signs.contains(&Sign::Positive) && signs.contains(&Sign::Negative))
+        // (A triangle at one place has no turns.)
+    }) && ![Axis::X, Axis::Y, Axis::Z].into_iter().any(is_beside)
 }

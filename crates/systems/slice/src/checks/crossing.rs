@@ -83,7 +83,7 @@ impl<'a> Near<'a> {
         }
         let of_second = second.map(|p| plane.side(p));
         if of_second == [Ordering::Equal; 3] {
-            return expected.has_areas && self.overlap(first, second);
+            return expected.has_areas && self.overlap(first, second, expected.may_stand);
         }
         // A triangle on one side of the plane has no inner point in the plane.
         if !(of_second.contains(&Ordering::Less) && of_second.contains(&Ordering::Greater)) {
@@ -117,9 +117,9 @@ impl<'a> Near<'a> {
         turns[0] != Ordering::Equal && turns == [turns[0]; 3]
     }
 
-    /// True if edges of two triangles in one plane cross, or a corner of one is inside the other. Triangles without a
-    /// common edge may look in opposite directions: two solids of a mesh may stand on each other.
-    fn overlap(&self, first: [u32; 3], second: [u32; 3]) -> bool {
+    /// True if edges of two triangles in one plane cross, or a corner of one is inside the other, unless they may lie
+    /// on each other: see [`Expected::may_stand`].
+    fn overlap(&self, first: [u32; 3], second: [u32; 3], may_stand: bool) -> bool {
         let Some(axis) = self.rows.plane(first).axis() else { return false };
         let turn = |[a, b]: [u32; 2], c: u32| {
             let exact = || self.rows.area([a, b, c], axis);
@@ -127,7 +127,7 @@ impl<'a> Near<'a> {
         };
         let looks = |[a, b, c]: [u32; 3]| turn([a, b], c);
         let has_edge = first.iter().filter(|p| second.contains(p)).count() == 2;
-        if !has_edge && looks(first) == looks(second).reverse() {
+        if may_stand && !has_edge && looks(first) == looks(second).reverse() {
             return false;
         }
         let opposite = |x: Ordering, y: Ordering| x != Ordering::Equal && x == y.reverse();

@@ -69,6 +69,9 @@ pub struct Expected {
     /// True if each triangle must have an area, and must not lie on another. Backends that break ties make triangles
     /// with an area, and parts with a volume, in the perturbed scene only.
     pub has_areas: bool,
+    /// True if triangles of a part without a common edge may lie on each other, looking in opposite directions: two
+    /// solids of the given mesh may stand on each other.
+    pub may_stand: bool,
     /// The maximum number of triangles that are compared with their neighbours; they are spread evenly.
     pub triangles_crossed: usize,
 }

@@ -41,6 +41,7 @@ pub(super) fn judge(
     let expected = Expected {
         is_closed: case.content.is_closed,
         has_areas: asked.contract(PredicateKind::Orient3d).zero != ZeroMeaning::Never,
+        may_stand: true,
         triangles_crossed: TRIANGLES_CROSSED[usize::from(asked.budget.thorough)],
     };
     let key = || (expected.has_areas, answer.clone(), answer.rounded.as_deref().map(bits));

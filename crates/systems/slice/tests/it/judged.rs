@@ -5,7 +5,7 @@ use predicament_slice::checks::given::{self, Fault};
 use predicament_slice::checks::{Check, Expected, Part, Piece, Slices};
 use rug::Rational;
 
-const STRICT: Expected = Expected { is_closed: true, has_areas: true, triangles_crossed: 1000 };
+const STRICT: Expected = Expected { is_closed: true, has_areas: true, may_stand: false, triangles_crossed: 1000 };
 
 /// A cube of edge 4, and its lower and upper halves with caps in the plane z = 2, by hand.
 fn halves() -> Slices {
@@ -219,11 +219,11 @@ fn samples_of_triangles_find_what_is_near_them() {
 }
 
 /// The number of times that two triangles of one part pass through each other, without any other law.
-fn crossings(corners: [[[i32; 3]; 3]; 2]) -> usize {
+fn crossings(corners: [[[i32; 3]; 3]; 2], expected: Expected) -> usize {
     let points = corners.as_flattened().iter().map(|p| p.map(Rational::from)).collect();
     let part = Part { triangles: vec![[0, 1, 2], [3, 4, 5]], pieces: vec![Piece::Face(0); 2], ..Part::default() };
     let slices = Slices { points, faces: vec![vec![0, 1, 2], vec![3, 4, 5]], planes: Vec::new(), parts: vec![part] };
-    let flaws = slices.flaws_of_surface(STRICT);
+    let flaws = slices.flaws_of_surface(expected);
     flaws.iter().filter(|flaw| flaw.check == Check::SelfIntersection).count()
 }
 
@@ -242,17 +242,29 @@ fn edges_that_pass_beside_a_triangle_do_not_pass_through_it() {
             // corner.
             let is_inside = x > 0 && y > 0 && x + y < 8;
             if is_inside {
-                assert_eq!(crossings([first, second]), 1, "{x} {y}");
-                assert_eq!(crossings([second, first]), 1, "{x} {y}");
+                assert_eq!(crossings([first, second], STRICT), 1, "{x} {y}");
+                assert_eq!(crossings([second, first], STRICT), 1, "{x} {y}");
                 through += 1;
             } else if x + y > 8 {
-                assert_eq!(crossings([first, second]), 0, "{x} {y}");
-                assert_eq!(crossings([second, first]), 0, "{x} {y}");
+                assert_eq!(crossings([first, second], STRICT), 0, "{x} {y}");
+                assert_eq!(crossings([second, first], STRICT), 0, "{x} {y}");
                 beside += 1;
             }
         }
     }
     assert!(through > 50 && beside > 50, "{through} through, {beside} beside");
+}
+
+#[test]
+fn faces_lie_on_each_other_where_solids_may_stand() {
+    let up = [[0, 0, 0], [8, 0, 0], [0, 8, 0]];
+    let [on_it, away] = [[[1, 1, 0], [1, 3, 0], [3, 1, 0]], [[9, 9, 0], [9, 12, 0], [12, 9, 0]]];
+    let standing = Expected { may_stand: true, ..STRICT };
+    assert_eq!([STRICT, standing].map(|expected| crossings([up, on_it], expected)), [1, 0]);
+    assert_eq!([STRICT, standing].map(|expected| crossings([up, away], expected)), [0, 0]);
+    // Both look up.
+    let turned = [on_it[0], on_it[2], on_it[1]];
+    assert_eq!([STRICT, standing].map(|expected| crossings([up, turned], expected)), [1, 1]);
 }
 
 #[test]

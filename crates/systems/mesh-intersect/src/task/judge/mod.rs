@@ -158,7 +158,7 @@ fn by_laws(
     let crossed = |place: Where| if place == Where::Given { CROSSED[level] } else { 1 };
     let pieces = |judged: &Judging<'_>, found: &mut Violations| {
         let triangles_crossed = crossed(judged.place);
-        judged.laws.pieces(Expected { is_closed: false, has_areas, triangles_crossed }, found);
+        judged.laws.pieces(Expected { is_closed: false, has_areas, may_stand: false, triangles_crossed }, found);
         Ok(())
     };
     // All that these laws read, so that backends with other contacts or limits share what they have in common.
