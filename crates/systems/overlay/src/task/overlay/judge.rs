@@ -143,7 +143,9 @@ fn flaws_of_third(case: &Case<'_, Overlay2d>, answer: &Overlaid, expected: Expec
     let loops = polygons.each_ref().map(|polygon| polygon.loops.iter().map(one).collect());
     let operands = Operands { loops, rules: polygons.map(|polygon| inside(polygon.rule)) };
     let mut results = Results::default();
-    for (regions, Shortcut { whole, .. }) in results.regions.iter_mut().zip(&answer.shortcuts[Operation::ALL.len()..]) {
+    for (regions, Shortcut { whole, .. }) in
+        results.regions.iter_mut().zip(&answer.shortcuts[2 * Operation::ALL.len()..])
+    {
         *regions = of(&whole.regions);
     }
     results.flaws(&operands, &probes(case.scene()), expected, [None; 2])

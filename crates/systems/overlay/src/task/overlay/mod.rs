@@ -47,7 +47,7 @@ pub struct Overlaid {
     /// The session's rounded position of each node's vertex; `None` if it rounds nothing.
     pub rounded: Option<Vec<[f64; 2]>>,
     /// Results by a shortcut that leaves out what meets nothing; empty unless they are judged. First all operations of
-    /// the operands, then all of their union and the third polygon.
+    /// the operands, then all of their union and the second operand, then all of the union and the third polygon.
     pub shortcuts: Vec<Shortcut>,
     /// The polygon that is combined with the union.
     pub third: Polygon,
@@ -64,7 +64,8 @@ pub struct Shortcut {
     pub whole: Regions,
 }
 
-/// The third polygon; the operations by [`operate`], and those of the union and the third polygon by [`combine`].
+/// The third polygon; the operations by [`operate`], and those of the union with the second operand and with the third
+/// polygon by [`combine`].
 fn shortcuts(
     session: &mut dyn Predicates,
     [a, b]: [&Polygon; 2],
@@ -82,13 +83,16 @@ fn shortcuts(
         let whole = overlay(session, [&Polygon::from(union.as_slice()), &third], method)?;
         Ok((third, whole))
     };
+    let second = whole(b.clone())?;
     // A session may refuse to construct points of other edges than those of the scene.
-    let (third, wholes) = whole(with_triangle).or_else(|_: Refused| whole(b.clone()))?;
-    for operation in Operation::ALL {
-        let short = combine(session, union, &third, operation, method)?;
-        all.push(Shortcut { name: operation.name(), short, whole: wholes.regions(operation) });
+    let last = whole(with_triangle).unwrap_or_else(|_: Refused| second.clone());
+    for (third, wholes) in [&second, &last] {
+        for operation in Operation::ALL {
+            let short = combine(session, union, third, operation, method)?;
+            all.push(Shortcut { name: operation.name(), short, whole: wholes.regions(operation) });
+        }
     }
-    Ok((third, all))
+    Ok((last.0, all))
 }
 
 /// The second operand and a triangle of input vertices. Where an edge of the scene is not in a result, an edge of the
