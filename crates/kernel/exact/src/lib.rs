@@ -75,7 +75,7 @@ pub mod without;
 #[cfg(feature = "scenes")]
 pub use backend::Exact;
 #[cfg(feature = "scenes")]
-pub use batch::{Ties, Unbroken};
+pub use batch::Ties;
 #[cfg(feature = "scenes")]
 pub use decider::Filtered;
 #[cfg(feature = "scenes")]

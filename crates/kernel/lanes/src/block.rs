@@ -135,6 +135,35 @@ impl<const D: usize, const N: usize> Block<D, N> {
     }
 }
 
+/// The numbers of the vertices of up to [`BLOCK`] queries: they have the order of the vertices.
+pub struct Numbers<const N: usize>([[f64; BLOCK]; N]);
+
+impl<const N: usize> Numbers<N> {
+    /// The numbers of these queries.
+    #[inline(always)]
+    pub fn of(queries: &[[Vertex; N]]) -> Numbers<N> {
+        let mut numbers = [[0.0; BLOCK]; N];
+        for (at, query) in queries.iter().enumerate() {
+            for row in 0..N {
+                #[allow(clippy::cast_precision_loss)] // 32 bits
+                let number = query[row].index() as f64;
+                numbers[row][at] = number;
+            }
+        }
+        Numbers(numbers)
+    }
+
+    /// The numbers of one query.
+    #[inline(always)]
+    pub fn query(&self, at: usize) -> [f64; N] {
+        let mut query = [0.0; N];
+        for row in 0..N {
+            query[row] = self.0[row][at];
+        }
+        query
+    }
+}
+
 /// Registers of eight doubles.
 #[cfg(target_arch = "x86_64")]
 mod wide {

@@ -6,7 +6,7 @@ use core::marker::PhantomData;
 
 use predicament_predicates::{Sign, Vertex};
 
-use crate::block::{BLOCK, Block, Whole};
+use crate::block::{BLOCK, Block, Numbers, Whole};
 use crate::simd::{Kernel, dispatch};
 
 /// The signs of a value of each query, and a bit mask of the queries that remain open.
@@ -52,21 +52,10 @@ where
         let mut block = Block::EMPTY;
         // SAFETY: the kernel runs wide only on processors with AVX-512F.
         unsafe { block.fetch::<Whole, D, WIDE>(points, queries) };
-        let mut numbers = [[0.0; BLOCK]; N];
-        for (at, query) in queries.iter().enumerate() {
-            for row in 0..N {
-                #[allow(clippy::cast_precision_loss)] // 32 bits
-                let number = query[row].index() as f64;
-                numbers[row][at] = number;
-            }
-        }
+        let numbers = Numbers::of(queries);
         let (mut values, mut bounds) = ([0.0; BLOCK], [0.0; BLOCK]);
         for at in 0..BLOCK {
-            let mut query = [0.0; N];
-            for row in 0..N {
-                query[row] = numbers[row][at];
-            }
-            (values[at], bounds[at]) = evaluate(block.query(at), query);
+            (values[at], bounds[at]) = evaluate(block.query(at), numbers.query(at));
         }
         let (mut signs, mut open) = ([Sign::Zero; BLOCK], 0);
         for at in 0..BLOCK {

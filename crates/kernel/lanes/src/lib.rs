@@ -21,6 +21,6 @@ mod certain;
 mod simd;
 
 pub use answer::answer;
-pub use block::{Along, BLOCK, Block, View, Whole, Xy, Yz, Zx};
+pub use block::{Along, BLOCK, Block, Numbers, View, Whole, Xy, Yz, Zx};
 pub use certain::signs_of;
 pub use simd::{Kernel, Width, dispatch, run_on};

@@ -22,7 +22,8 @@ use crate::predicate::Predicate;
 use crate::stage;
 pub(crate) use sweep::{Sweep, sweep};
 use ties::BreakZeros;
-pub use ties::{Ties, Unbroken};
+pub use ties::Ties;
+pub(crate) use ties::Unbroken;
 
 /// The number of queries of a batch that each stage has settled, by the stage's index.
 pub(crate) type Settled = [u64; stage::NAMES.len()];

@@ -2,7 +2,7 @@
 
 #![allow(clippy::needless_range_loop)]
 
-use predicament_lanes::{BLOCK, Block};
+use predicament_lanes::{BLOCK, Block, Numbers};
 use predicament_predicates::{Sign, Vertex};
 
 /// The least number of ties in a block for which vector registers pay off.
@@ -22,7 +22,7 @@ pub trait Ties<const D: usize, const N: usize> {
 
 /// Ties remain zero.
 #[derive(Clone, Copy, Debug)]
-pub struct Unbroken;
+pub(crate) struct Unbroken;
 
 impl<const D: usize, const N: usize> Ties<D, N> for Unbroken {
     const BREAKS: bool = false;
@@ -37,21 +37,10 @@ pub(super) trait BreakZeros<const D: usize, const N: usize>: Ties<D, N> {
     /// Replaces the zeros in `out` that the method decides.
     #[inline(always)]
     fn break_zeros(&self, block: &Block<D, N>, queries: &[[Vertex; N]], out: &mut [Sign]) {
-        let mut numbers = [[0.0; BLOCK]; N];
-        for (at, query) in queries.iter().enumerate() {
-            for row in 0..N {
-                #[allow(clippy::cast_precision_loss)] // 32 bits
-                let number = query[row].index() as f64;
-                numbers[row][at] = number;
-            }
-        }
+        let numbers = Numbers::of(queries);
         let mut values = [0.0; BLOCK];
         for at in 0..BLOCK {
-            let mut query = [0.0; N];
-            for row in 0..N {
-                query[row] = numbers[row][at];
-            }
-            values[at] = self.sign(block.query(at), query);
+            values[at] = self.sign(block.query(at), numbers.query(at));
         }
         for (sign, value) in out.iter_mut().zip(values) {
             let broken = if value > 0.0 {

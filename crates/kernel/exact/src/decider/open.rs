@@ -66,15 +66,20 @@ impl Decider<'_> {
     }
 
     // Answers by the query's own filter, in scenes whose bounds are too large for most of their figures.
+    // Such a scene has figures at scales of their own: a tie is looked for in doubles first.
 
     #[inline(never)]
     pub(super) fn orient3d_by_query(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
         let at = |v: Vertex| self.points3.get(v.index());
         let mut determinant = f64::NAN;
         if let (Some(a), Some(b), Some(c), Some(d)) = (at(a), at(b), at(c), at(d)) {
-            let bounded = Orient3d::anywhere([*a, *b, *c, *d]);
+            let points = [*a, *b, *c, *d];
+            let bounded = Orient3d::anywhere(points);
             if let Some(sign) = bounded.certain() {
                 return (sign, stage::SEMI_STATIC);
+            }
+            if bounded.determinant == 0.0 && doubles_are_exact::<Orient3d, _, _>(&points) {
+                return (Sign::Zero, stage::DOUBLE);
             }
             determinant = zero_or_unknown(bounded.determinant);
         }
@@ -86,9 +91,13 @@ impl Decider<'_> {
         let at = |v: Vertex| self.points2.get(v.index());
         let mut determinant = f64::NAN;
         if let (Some(a), Some(b), Some(c), Some(d)) = (at(a), at(b), at(c), at(d)) {
-            let bounded = Incircle::anywhere([*a, *b, *c, *d]);
+            let points = [*a, *b, *c, *d];
+            let bounded = Incircle::anywhere(points);
             if let Some(sign) = bounded.certain() {
                 return (sign, stage::SEMI_STATIC);
+            }
+            if bounded.determinant == 0.0 && doubles_are_exact::<Incircle, _, _>(&points) {
+                return (Sign::Zero, stage::DOUBLE);
             }
             determinant = zero_or_unknown(bounded.determinant);
         }
@@ -100,9 +109,13 @@ impl Decider<'_> {
         let at = |v: Vertex| self.points3.get(v.index());
         let mut determinant = f64::NAN;
         if let (Some(a), Some(b), Some(c), Some(d), Some(e)) = (at(a), at(b), at(c), at(d), at(e)) {
-            let bounded = Insphere::anywhere([*a, *b, *c, *d, *e]);
+            let points = [*a, *b, *c, *d, *e];
+            let bounded = Insphere::anywhere(points);
             if let Some(sign) = bounded.certain() {
                 return (sign, stage::SEMI_STATIC);
+            }
+            if bounded.determinant == 0.0 && doubles_are_exact::<Insphere, _, _>(&points) {
+                return (Sign::Zero, stage::DOUBLE);
             }
             determinant = zero_or_unknown(bounded.determinant);
         }
