@@ -17,7 +17,7 @@
 //!   determinant of their normals, and Y on P and Q. Then Y = X + t·(normal of P × normal of Q) with t = h(Y)/W, and
 //!   μ = −t·g(Z).
 
-mod inputs;
+pub(super) mod inputs;
 
 use predicament_predicates::{Construction, Question, Scene, Sign, Vertex};
 use smallvec::SmallVec;

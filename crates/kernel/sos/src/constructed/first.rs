@@ -30,7 +30,7 @@ use predicament_arithmetic::dyadic::{
     Number, Space,
     Take::{self, Minus, Plus},
 };
-use predicament_predicates::{Axis, Question, Scene, Sign, Vertex};
+use predicament_predicates::{Axis, Dimension, Question, Scene, Sign, Vertex};
 use smallvec::{SmallVec, smallvec};
 
 use super::place::{Place, depend};
@@ -49,19 +49,61 @@ pub(super) enum Known {
     Open,
 }
 
+/// The columns of a question's determinant, by axis; the last one is the weight.
+///
+/// # Panics
+/// If the question is about circles or spheres.
+pub(super) fn columns<const N: usize>(dimension: usize, question: Question) -> [usize; N] {
+    let mut columns = [dimension; N];
+    match question {
+        Question::Compare(axis) => columns[0] = axis.index(),
+        Question::Orient2d(plane) => columns[..2].copy_from_slice(&plane.axes().map(Axis::index)),
+        Question::Orient3d => columns[..3].copy_from_slice(&[0, 1, 2]),
+        Question::Incircle | Question::Insphere | Question::Derived(_) => {
+            panic!("{} is about input vertices", question.kind())
+        }
+    }
+    columns
+}
+
 /// A point of a question.
 #[derive(Clone, Copy)]
-enum Point<'a, const N: usize> {
+pub(super) enum Point<'a, const N: usize> {
     /// An input vertex: its coordinates and a weight of one, and the axes.
     Input([Number<'a>; N], [usize; N]),
     Meet(&'a Row, [usize; N]),
 }
 
 impl<'a, const N: usize> Point<'a, N> {
+    /// The point of a place, with the row of its vertex if it is constructed; `None` if that is missing.
+    pub(super) fn new(
+        held: &'a mut [u64; 2 * 3],
+        scene: &Scene,
+        place: &Place,
+        row: Option<&'a Row>,
+        shift: i32,
+        columns: [usize; N],
+    ) -> Option<Point<'a, N>> {
+        let Place::Input(v) = place else { return row.map(|row| Point::Meet(row, columns)) };
+        let space = &mut Space::new(held);
+        let coordinates: [Number; 3] = match scene.dimension() {
+            Dimension::Two => {
+                let [x, y] = point::<2>(space, scene, *v, shift);
+                [x, y, Number::ONE]
+            }
+            Dimension::Three => point::<3>(space, scene, *v, shift),
+        };
+        let mut row = [Number::ONE; N];
+        for (entry, &column) in row.iter_mut().zip(&columns[..N - 1]) {
+            *entry = coordinates[column];
+        }
+        Some(Point::Input(row, columns))
+    }
+
     /// The unperturbed row for 0, or its derivative for 1, 2….
     ///
     /// The derivatives are by coordinates 0, 1… of the row's first vertex.
-    fn vector(&self, which: usize) -> [Number<'a>; N] {
+    pub(super) fn vector(&self, which: usize) -> [Number<'a>; N] {
         match (self, which) {
             (Point::Input(row, _), 0) => *row,
             (Point::Input(_, columns), axis) => {
@@ -72,7 +114,7 @@ impl<'a, const N: usize> Point<'a, N> {
     }
 
     /// The exponents [l, t]: entries of all vectors are multiples of 2^(64·l) and below 2^(64·t).
-    fn span(&self) -> [i32; 2] {
+    pub(super) fn span(&self) -> [i32; 2] {
         match self {
             Point::Input(row, _) => {
                 let whole = [0, 1];
@@ -95,15 +137,7 @@ pub(super) fn decide<const N: usize>(
     least: usize,
 ) -> Known {
     let dimension = scene.dimension().count();
-    let mut columns = [dimension; N];
-    match question {
-        Question::Compare(axis) => columns[0] = axis.index(),
-        Question::Orient2d(plane) => columns[..2].copy_from_slice(&plane.axes().map(Axis::index)),
-        Question::Orient3d => columns[..3].copy_from_slice(&[0, 1, 2]),
-        Question::Incircle | Question::Insphere | Question::Derived(_) => {
-            panic!("{} is about input vertices", question.kind())
-        }
-    }
+    let columns = columns(dimension, question);
     let meets = args.map(|v| v.construction().map(|index| rows.of(scene, index)));
     // A constructed vertex whose simplest definition is an input vertex is that input vertex.
     let places: [Place; N] = std::array::from_fn(|at| meets[at].map_or(Place::Input(args[at]), |row| row.place));
@@ -115,29 +149,13 @@ pub(super) fn decide<const N: usize>(
     let mut inputs: SmallVec<[&[Vertex]; 4]> = SmallVec::new();
     let shift = rows.shift(scene);
     for ((place, held), row) in places.iter().zip(&mut held).zip(&meets) {
-        match (place, row) {
-            (Place::Input(v), _) => {
-                let space = &mut Space::new(held);
-                let mut row = [Number::ONE; N];
-                let coordinates: [Number; 3] = match dimension {
-                    2 => {
-                        let [x, y] = point::<2>(space, scene, *v, shift);
-                        [x, y, Number::ONE]
-                    }
-                    _ => point::<3>(space, scene, *v, shift),
-                };
-                for (entry, &column) in row.iter_mut().zip(&columns[..N - 1]) {
-                    *entry = coordinates[column];
-                }
-                points.push(Point::Input(row, columns));
-                inputs.push(std::slice::from_ref(v));
-            }
-            (Place::Meet(_), Some(row)) => {
-                points.push(Point::Meet(row, columns));
-                inputs.push(&row.inputs);
-            }
+        let Some(point) = Point::new(held, scene, place, *row, shift, columns) else { return Known::Open };
+        points.push(point);
+        inputs.push(match (place, row) {
+            (Place::Meet(_), Some(row)) => &row.inputs,
+            (Place::Input(v), _) => std::slice::from_ref(v),
             (Place::Meet(_), None) => return Known::Open,
-        }
+        });
     }
     let shared = first_shared(&inputs);
     let steps = steps(dimension, &points, &inputs, shared);
@@ -275,7 +293,7 @@ impl<'a, const N: usize> Search<'a, N> {
                 };
                 self.points[at].vector(which)
             });
-            let sign = self.sign(&[rows]);
+            let sign = sign_of_sum(&[rows], self.span);
             if !sign.is_zero() {
                 return ControlFlow::Break(Known::Broken(sign, degree));
             }
@@ -320,7 +338,7 @@ impl<'a, const N: usize> Search<'a, N> {
                     if terms.len() > MOST {
                         return Known::Open;
                     }
-                    let sign = self.sign(&terms);
+                    let sign = sign_of_sum(&terms, self.span);
                     if !sign.is_zero() {
                         return Known::Broken(sign, degree);
                     }
@@ -370,29 +388,29 @@ impl<'a, const N: usize> Search<'a, N> {
         let space = &mut Space::new(&mut limbs);
         (0..N - 1).all(|at| Number::sum(space, [(p[at], q[N - 1], Plus), (p[N - 1], q[at], Minus)]).is_zero())
     }
+}
 
-    /// The sign of a sum of determinants.
-    ///
-    /// Let the entries of row i be multiples of 2^(64·l_i) and less than 2^(64·t_i). A determinant sums products of one
-    /// entry of each row, at most 24, in two steps; up to 2^6 of them are added, enough for 40. 5 + 6 bits and those
-    /// for rounding up the number of terms and for signs, three in each step, fit one limb more than all rows span.
-    fn sign(&self, terms: &[[[Number<'a>; N]; N]]) -> Sign {
-        let each = match N {
-            2 => 1,
-            3 => 4,
-            _ => 13,
-        };
-        let all = if terms.len() == 1 { each } else { (each + 1) * terms.len() };
-        let mut limbs: SmallVec<[u64; 256]> = smallvec![0; all * (self.span + 1)];
-        let space = &mut Space::new(&mut limbs);
-        let mut terms = terms.iter();
-        let mut sum = terms.next().map_or(Number::ZERO, |rows| determinant(space, rows));
-        for rows in terms {
-            let next = determinant(space, rows);
-            sum = Number::sum(space, [(sum, Number::ONE, Plus), (next, Number::ONE, Plus)]);
-        }
-        Sign::from(sum.cmp0())
+/// The sign of a sum of determinants, whose rows span this many limbs together.
+///
+/// Let the entries of row i be multiples of 2^(64·l_i) and less than 2^(64·t_i). A determinant sums products of one
+/// entry of each row, at most 24, in two steps; up to 2^6 of them are added, enough for 40. 5 + 6 bits and those
+/// for rounding up the number of terms and for signs, three in each step, fit one limb more than all rows span.
+pub(super) fn sign_of_sum<const N: usize>(terms: &[[[Number; N]; N]], span: usize) -> Sign {
+    let each = match N {
+        2 => 1,
+        3 => 4,
+        _ => 13,
+    };
+    let all = if terms.len() == 1 { each } else { (each + 1) * terms.len() };
+    let mut limbs: SmallVec<[u64; 256]> = smallvec![0; all * (span + 1)];
+    let space = &mut Space::new(&mut limbs);
+    let mut terms = terms.iter();
+    let mut sum = terms.next().map_or(Number::ZERO, |rows| determinant(space, rows));
+    for rows in terms {
+        let next = determinant(space, rows);
+        sum = Number::sum(space, [(sum, Number::ONE, Plus), (next, Number::ONE, Plus)]);
     }
+    Sign::from(sum.cmp0())
 }
 
 /// The determinant: one sum for two rows, four for three, 13 for four.

@@ -4,8 +4,9 @@
 //! of higher degree in the same infinitesimals, too many for lists of terms: every combination of shared vertices would
 //! need one. So the polynomial stays a program: rows and determinants ([`moved`]) in numbers that carry a few
 //! infinitesimals ([`series`]), and a search for the one monomial that decides ([`search`]). Definitions are simplified
-//! first ([`place`]), and every zero of the search is proved to be zero ([`certain`]). Before that, a few determinants
-//! ([`first`]) of rows that a session stores ([`row`]) break most ties.
+//! first ([`place`]), and every zero of the search is proved to be zero ([`certain`]). Most ties are broken before
+//! that: by a few determinants ([`first`]) of rows that a session stores ([`row`]), or by those of the points' ends
+//! ([`ends`]).
 //!
 //! Infinitesimals are compared as in [`Scheme::PerCoordinate`](crate::Scheme): coordinate number n of the scene by the
 //! n-th, each smaller than any power of the one before. With ε^(B^n) this is the order for every base B beyond the
@@ -26,6 +27,7 @@
 mod certain;
 mod common_line;
 pub(crate) mod corner;
+mod ends;
 mod factors;
 mod first;
 pub(crate) mod fixed;
@@ -108,6 +110,11 @@ fn decide_from<const N: usize>(
     args: [Vertex; N],
     least: usize,
 ) -> Option<(Sign, usize)> {
+    match ends::decide(scene, rows, question, args) {
+        Known::Broken(sign, degree) => return Some((sign, degree)),
+        Known::Identity => return None,
+        Known::Open => {}
+    }
     if let Some(value) = factors::decide(scene, rows, question, &args) {
         return value;
     }

@@ -58,10 +58,10 @@ const THREE_PLANES: (i32, usize) = (7, 88);
 /// Limbs for the computation; on the stack for coordinates of one limb, except for three planes.
 type Limbs = SmallVec<[u64; 256]>;
 
-type Vector<'a, const D: usize> = [Number<'a>; D];
+pub(super) type Vector<'a, const D: usize> = [Number<'a>; D];
 
 /// The location of a stored number's limbs.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 struct Entry {
     start: usize,
     length: usize,
@@ -83,8 +83,10 @@ pub(super) struct Row {
     dimension: usize,
     /// The row and its derivatives: coordinates and weight of each; empty if the place is an input vertex.
     entries: Vec<Entry>,
+    /// The weights of the ends of its line or segment; zeros for three planes.
+    ends: [Entry; 2],
     limbs: Vec<u64>,
-    /// The exponents [l, t]: entries are multiples of 2^(64·l) and below 2^(64·t) in magnitude.
+    /// The exponents [l, t]: entries and ends are multiples of 2^(64·l) and below 2^(64·t) in magnitude.
     pub(super) span: [i32; 2],
 }
 
@@ -129,7 +131,8 @@ impl Row {
         inputs.dedup();
         let dimension = scene.dimension().count();
         let (weight, span) = (Sign::Positive, [0, 0]);
-        let mut row = Row { place, inputs, weight, is_linear, dimension, entries: Vec::new(), limbs: Vec::new(), span };
+        let (entries, ends, limbs) = (Vec::new(), [Entry::default(); 2], Vec::new());
+        let mut row = Row { place, inputs, weight, is_linear, dimension, entries, ends, limbs, span };
         let Place::Meet(construction) = place else { return row };
         let mut held = [0; 2 * 9 * 3];
         let held = &mut Space::new(&mut held);
@@ -139,7 +142,8 @@ impl Row {
                 let mut limbs: Limbs = smallvec![0; capacity(&[p, q, a, b], TWO_LINES)];
                 let space = &mut Space::new(&mut limbs);
                 let [x, y] = minus(space, b, a);
-                row.hold(line_moves::<2, 3>(space, [p, q], [negative(y), x], a));
+                let (moved, ends) = line_moves::<2, 3>(space, [p, q], [negative(y), x], a);
+                row.hold(moved, ends);
             }
             Construction::Lpi { line, plane } => {
                 let [p, q] = line.map(|v| point::<3>(held, scene, v, shift));
@@ -148,57 +152,72 @@ impl Row {
                 let space = &mut Space::new(&mut limbs);
                 let sides = [minus(space, c, b), minus(space, a, b)];
                 let normal = cross(space, sides[0], sides[1]);
-                if line[0] < plane[0] {
-                    row.hold(line_moves::<3, 4>(space, [p, q], normal, b));
+                let (moved, ends) = if line[0] < plane[0] {
+                    line_moves::<3, 4>(space, [p, q], normal, b)
                 } else {
-                    row.hold(plane_moves(space, [p, q], normal, [b, sides[0]]));
-                }
+                    plane_moves(space, [p, q], normal, [b, sides[0]])
+                };
+                row.hold(moved, ends);
             }
             Construction::Tpi(planes) => {
                 let first = row.inputs[0];
                 let points = planes.map(|plane| plane.map(|v| point::<3>(held, scene, v, shift)));
                 let mut limbs: Limbs = smallvec![0; capacity(points.as_flattened(), THREE_PLANES)];
                 let space = &mut Space::new(&mut limbs);
-                row.hold(three_planes(space, points, planes.map(|plane| plane[0] == first)));
+                row.hold(three_planes(space, points, planes.map(|plane| plane[0] == first)), [Number::ZERO; 2]);
             }
             Construction::Ratio { ends, share } => match scene.dimension() {
                 Dimension::Two => {
                     let ends = ends.map(|v| point::<2>(held, scene, v, shift));
                     let mut limbs: Limbs = smallvec![0; capacity(&ends, SHARE)];
-                    row.hold(shared::<2, 3>(&mut Space::new(&mut limbs), ends, Parts::of(share).numbers()));
+                    let parts = Parts::of(share);
+                    let [p, rest, q] = parts.numbers();
+                    row.hold(shared::<2, 3>(&mut Space::new(&mut limbs), ends, [p, rest, q]), [p, rest]);
                 }
                 Dimension::Three => {
                     let ends = ends.map(|v| point::<3>(held, scene, v, shift));
                     let mut limbs: Limbs = smallvec![0; capacity(&ends, SHARE)];
-                    row.hold(shared::<3, 4>(&mut Space::new(&mut limbs), ends, Parts::of(share).numbers()));
+                    let parts = Parts::of(share);
+                    let [p, rest, q] = parts.numbers();
+                    row.hold(shared::<3, 4>(&mut Space::new(&mut limbs), ends, [p, rest, q]), [p, rest]);
                 }
             },
         }
         row
     }
 
-    /// Stores a row and its derivatives: coordinates, and weights.
-    fn hold<const D: usize, const V: usize>(&mut self, (vectors, weights): ([Vector<D>; V], [Number; V])) {
+    /// Stores a row and its derivatives, coordinates and weights, and the weights of its ends.
+    fn hold<const D: usize, const V: usize>(
+        &mut self,
+        (vectors, weights): ([Vector<D>; V], [Number; V]),
+        ends: [Number; 2],
+    ) {
         assert!(!weights[0].is_zero(), "lines and planes that meet in no point");
         self.weight = Sign::from(weights[0].cmp0());
         let numbers = || vectors.iter().zip(&weights).flat_map(|(vector, weight)| vector.iter().chain([weight]));
         self.entries.reserve_exact(V * (D + 1));
-        self.limbs.reserve_exact(numbers().map(|number| number.limbs.len()).sum());
+        self.limbs.reserve_exact(numbers().chain(&ends).map(|number| number.limbs.len()).sum());
         let (mut low, mut top) = (i32::MAX, i32::MIN);
-        for number in numbers() {
+        let mut held = |number: &Number| {
             let (start, length) = (self.limbs.len(), number.limbs.len());
             self.limbs.extend_from_slice(number.limbs);
-            self.entries.push(Entry {
-                start,
-                length,
-                low: number.low,
-                negative: number.negative != weights[0].negative,
-            });
             if !number.is_zero() {
                 (low, top) = (low.min(number.low), top.max(number.top()));
             }
-        }
+            Entry { start, length, low: number.low, negative: number.negative != weights[0].negative }
+        };
+        self.entries.extend(numbers().map(&mut held));
+        self.ends = ends.each_ref().map(held);
         self.span = [low, top];
+    }
+
+    fn number(&self, Entry { start, length, low, negative }: Entry) -> Number<'_> {
+        Number { limbs: &self.limbs[start..start + length], low, negative }
+    }
+
+    /// The weight of an end of its line or segment: the row is the sum of both ends times their weights.
+    pub(super) fn end(&self, at: usize) -> Number<'_> {
+        self.number(self.ends[at])
     }
 
     /// Some columns of the row for 0, or of its derivative for 1, 2…; the last column is the weight.
@@ -206,10 +225,7 @@ impl Row {
     /// The derivatives are by coordinates 0, 1… of its first vertex.
     pub(super) fn vector<const N: usize>(&self, which: usize, columns: [usize; N]) -> [Number<'_>; N] {
         let entries = &self.entries[which * (self.dimension + 1)..][..=self.dimension];
-        columns.map(|column| {
-            let Entry { start, length, low, negative } = entries[column];
-            Number { limbs: &self.limbs[start..start + length], low, negative }
-        })
+        columns.map(|column| self.number(entries[column]))
     }
 }
 
@@ -220,10 +236,13 @@ pub(super) fn point<'a, const D: usize>(space: &mut Space<'a>, scene: &Scene, v:
 }
 
 /// The limbs for this many sums, of this degree at most.
-fn capacity<const D: usize>(points: &[Vector<D>], (degree, sums): (i32, usize)) -> usize {
+pub(super) fn capacity<const D: usize>(points: &[Vector<D>], (degree, sums): (i32, usize)) -> usize {
     let low = points.as_flattened().iter().map(|x| x.low).min().unwrap_or(0).min(0);
     sums * usize::try_from(degree * (61 - 64 * low) + 4).unwrap_or(0).div_ceil(64)
 }
+
+/// A row with derivatives, coordinates and weights, and the weights of its ends.
+type Moved<'a, const D: usize, const V: usize> = (([Vector<'a, D>; V], [Number<'a>; V]), [Number<'a>; 2]);
 
 /// The point where the line p, q meets the line or plane with this normal through b, with derivatives by p.
 fn line_moves<'a, const D: usize, const V: usize>(
@@ -231,7 +250,7 @@ fn line_moves<'a, const D: usize, const V: usize>(
     [p, q]: [Vector<'a, D>; 2],
     normal: Vector<'a, D>,
     b: Vector<'a, D>,
-) -> ([Vector<'a, D>; V], [Number<'a>; V]) {
+) -> Moved<'a, D, V> {
     const { assert!(V == D + 1, "a row, and a derivative for each axis") };
     let [at_p, at_q] = [p, q].map(|x| {
         let way = minus(space, x, b);
@@ -247,7 +266,7 @@ fn line_moves<'a, const D: usize, const V: usize>(
         });
         weights[axis + 1] = negative(by);
     }
-    (vectors, weights)
+    ((vectors, weights), [at_q, negative(at_p)])
 }
 
 /// The point where the line p, q meets the plane a, b, c, with derivatives by a.
@@ -258,7 +277,7 @@ fn plane_moves<'a>(
     [p, q]: [Vector<'a, 3>; 2],
     normal: Vector<'a, 3>,
     [b, side]: [Vector<'a, 3>; 2],
-) -> ([Vector<'a, 3>; 4], [Number<'a>; 4]) {
+) -> Moved<'a, 3, 4> {
     let ways = [p, q].map(|x| minus(space, x, b));
     let [at_p, at_q] = ways.map(|way| dot(space, normal, way));
     let [by_p, by_q] = ways.map(|way| cross(space, way, side));
@@ -267,7 +286,7 @@ fn plane_moves<'a>(
     for axis in 0..3 {
         (vectors[axis + 1], weights[axis + 1]) = between(space, [p, q], [by_p[axis], by_q[axis]]);
     }
-    (vectors, weights)
+    ((vectors, weights), [at_q, negative(at_p)])
 }
 
 /// The coordinates p·v − q·u, and the weight v − u.
@@ -369,11 +388,11 @@ fn plus<'a>(space: &mut Space<'a>, x: Number<'a>, y: Number<'a>) -> Number<'a> {
     Number::sum(space, [(x, Number::ONE, Plus), (y, Number::ONE, Plus)])
 }
 
-fn minus<'a, const D: usize>(space: &mut Space<'a>, p: Vector<'a, D>, q: Vector<'a, D>) -> Vector<'a, D> {
+pub(super) fn minus<'a, const D: usize>(space: &mut Space<'a>, p: Vector<'a, D>, q: Vector<'a, D>) -> Vector<'a, D> {
     std::array::from_fn(|i| Number::sum(space, [(p[i], Number::ONE, Plus), (q[i], Number::ONE, Minus)]))
 }
 
-fn cross<'a>(space: &mut Space<'a>, p: Vector<'a, 3>, q: Vector<'a, 3>) -> Vector<'a, 3> {
+pub(super) fn cross<'a>(space: &mut Space<'a>, p: Vector<'a, 3>, q: Vector<'a, 3>) -> Vector<'a, 3> {
     [[1, 2], [2, 0], [0, 1]].map(|[i, j]| Number::sum(space, [(p[i], q[j], Plus), (p[j], q[i], Minus)]))
 }
 
@@ -386,7 +405,7 @@ fn cross_axis(p: Vector<3>, axis: usize) -> Vector<3> {
     product
 }
 
-fn dot<'a, const D: usize>(space: &mut Space<'a>, p: Vector<'a, D>, q: Vector<'a, D>) -> Number<'a> {
+pub(super) fn dot<'a, const D: usize>(space: &mut Space<'a>, p: Vector<'a, D>, q: Vector<'a, D>) -> Number<'a> {
     let mut terms = [(Number::ZERO, Number::ZERO, Plus); 3];
     for (term, (x, y)) in terms.iter_mut().zip(p.into_iter().zip(q)) {
         *term = (x, y, Plus);

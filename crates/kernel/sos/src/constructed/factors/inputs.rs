@@ -31,7 +31,7 @@ pub(super) fn decide<const N: usize>(scene: &Scene, question: Question, args: [V
 }
 
 /// The sign of the determinant of some coordinates and ones.
-fn minor(scene: &Scene, axes: &[Axis], vertices: &[Vertex]) -> Sign {
+pub(in crate::constructed) fn minor(scene: &Scene, axes: &[Axis], vertices: &[Vertex]) -> Sign {
     let at = |axis: Axis, v: Vertex| scene.coordinate(axis, v);
     match (axes, vertices) {
         ([], [_]) => Sign::Positive,
