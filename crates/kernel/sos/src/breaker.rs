@@ -2,7 +2,7 @@
 //!
 //! A breaker counts nothing, so it is one type, compiled once for all tallies of a [`Session`](crate::Session).
 
-use predicament_exact::stage::{COMPARE, INTEGER};
+use predicament_exact::stage::{COMPARE, DOUBLE, INTEGER};
 use predicament_exact::{Exact, Filtered};
 use predicament_predicates::{
     Axis, Backend, Construction, Declined, Off, Plane, PredicateKind, Predicates, Question, Refused, Scene, Sign,
@@ -228,12 +228,26 @@ impl<'s> Breaker<'s> {
         if determinant == 0.0
             && self.exact.is_known_double(PredicateKind::Incircle)
             && let Some(points) = smallest_first([p, q, r, s])
-            && let Some((sign, place)) = gradient::decide::<SCHEME, INCIRCLE, _, _, _>(points, gradient::incircle)
         {
-            return (sign, stage::FIRST_TERM + place);
+            return match gradient::decide_one::<SCHEME, INCIRCLE, _, _, _>(points, gradient::incircle) {
+                Some((sign, place)) => (sign, stage::FIRST_TERM + place),
+                None => self.deep_incircle::<SCHEME>([p, q, r, s]),
+            };
         }
         let [a, b, c, d] = [p, q, r, s].map(|point| self.points.vertex2(point));
         self.tied(self.exact.decide_left_incircle(determinant, a, b, c, d), || self.open_incircle::<SCHEME>(a, b, c, d))
+    }
+
+    /// Decides by the rest of the list where doubles are exact and the leading terms and the next one are zero.
+    #[cold]
+    #[inline(never)]
+    fn deep_incircle<const SCHEME: usize>(&self, points: [&[f64; 2]; 4]) -> (Sign, usize) {
+        let args = points.map(|point| self.points.vertex2(point));
+        let decided = leading::deep::<SCHEME, INCIRCLE, 2, 4>(&self.exact, self.points.flat, args, (true, 3));
+        match self.broken(Question::Incircle, args, decided) {
+            (sign, AS_EXACT) => (sign, DOUBLE),
+            broken => broken,
+        }
     }
 
     #[inline(never)]
@@ -280,14 +294,28 @@ impl<'s> Breaker<'s> {
         if determinant == 0.0
             && self.exact.is_known_double(PredicateKind::Insphere)
             && let Some(points) = smallest_first([p, q, r, s, t])
-            && let Some((sign, place)) = gradient::decide::<SCHEME, INSPHERE, _, _, _>(points, gradient::insphere)
         {
-            return (sign, stage::FIRST_TERM + place);
+            return match gradient::decide_one::<SCHEME, INSPHERE, _, _, _>(points, gradient::insphere) {
+                Some((sign, place)) => (sign, stage::FIRST_TERM + place),
+                None => self.deep_insphere::<SCHEME>([p, q, r, s, t]),
+            };
         }
         let [a, b, c, d, e] = [p, q, r, s, t].map(|point| self.points.vertex3(point));
         self.tied(self.exact.decide_left_insphere(determinant, a, b, c, d, e), || {
             self.open_insphere::<SCHEME>(a, b, c, d, e)
         })
+    }
+
+    /// Decides by the rest of the list where doubles are exact and the leading terms and the next one are zero.
+    #[cold]
+    #[inline(never)]
+    fn deep_insphere<const SCHEME: usize>(&self, points: [&[f64; 3]; 5]) -> (Sign, usize) {
+        let args = points.map(|point| self.points.vertex3(point));
+        let decided = leading::deep::<SCHEME, INSPHERE, 3, 5>(&self.exact, self.points.solid, args, (true, 4));
+        match self.broken(Question::Insphere, args, decided) {
+            (sign, AS_EXACT) => (sign, DOUBLE),
+            broken => broken,
+        }
     }
 
     #[inline(never)]

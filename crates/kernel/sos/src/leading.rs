@@ -200,7 +200,7 @@ pub(crate) fn insphere<const SCHEME: usize>(exact: &Exact, points: Points, args:
 
 /// Decides by the list from a place on.
 #[inline(always)]
-fn deep<const SCHEME: usize, const KIND: usize, const D: usize, const N: usize>(
+pub(crate) fn deep<const SCHEME: usize, const KIND: usize, const D: usize, const N: usize>(
     exact: &Exact,
     all: &[[f64; D]],
     args: [Vertex; N],
