@@ -147,40 +147,44 @@ fn normal(u: &[Integer], v: &[Integer]) -> Vec<Integer> {
     vec![minor(1, 2), minor(2, 0), minor(0, 1)]
 }
 
-/// The solution of the equations by Cramer's rule, or `None` if they are linearly dependent.
-fn solve<'e>(equations: &'e [Equation]) -> Option<Row> {
-    let with_column = |replaced: Option<usize>| {
-        let entry = |Equation { a, b }: &'e Equation, at| if replaced == Some(at) { b } else { &a[at] };
-        let row = |equation| (0..equations.len()).map(|at| entry(equation, at)).collect();
-        determinant(&equations.iter().map(row).collect::<Vec<Vec<&Integer>>>())
+/// The solution of two or three equations by Cramer's rule, or `None` if they are linearly dependent.
+///
+/// Each determinant is a minor of the matrix with the right sides as its last column.
+fn solve(equations: &[Equation]) -> Option<Row> {
+    let row = |at: usize| -> Vec<&Integer> { equations[at].a.iter().chain([&equations[at].b]).collect() };
+    let (weight, coordinates) = match equations.len() {
+        2 => {
+            let two = minors([&row(0), &row(1)]);
+            let [weight, x, y] = [[0, 1], [2, 1], [0, 2]].map(|[i, j]: [usize; 2]| two[i][j].clone());
+            (weight, vec![x, y])
+        }
+        3 => {
+            let (first, two) = (row(0), minors([&row(1), &row(2)]));
+            let three = |[i, j, k]: [usize; 3]| {
+                Integer::from(first[i] * &two[j][k]) + Integer::from(first[j] * &two[k][i]) + first[k] * &two[i][j]
+            };
+            (three([0, 1, 2]), [[3, 1, 2], [0, 3, 2], [0, 1, 3]].map(three).to_vec())
+        }
+        other => panic!("{other} equations don't meet in a point"),
     };
-    let weight = with_column(None);
-    let coordinates = || (0..equations.len()).map(|i| with_column(Some(i))).collect();
     match weight.cmp0() {
         std::cmp::Ordering::Equal => None,
-        std::cmp::Ordering::Greater => Some(Row { coordinates: coordinates(), weight }),
+        std::cmp::Ordering::Greater => Some(Row { coordinates, weight }),
         std::cmp::Ordering::Less => {
-            let coordinates: Vec<Integer> = coordinates();
             Some(Row { coordinates: coordinates.into_iter().map(|x| -x).collect(), weight: -weight })
         }
     }
 }
 
-/// The determinant of a square matrix, by expansion along the first row.
-fn determinant<'e>(rows: &[Vec<&'e Integer>]) -> Integer {
-    let [first, others @ ..] = rows else { return Integer::from(1) };
-    if let [only] = first[..] {
-        return only.clone();
-    }
-    let mut sum = Integer::new();
-    for (column, &x) in first.iter().enumerate().filter(|(_, x)| !x.is_zero()) {
-        let without = |row: &Vec<&'e Integer>| [&row[..column], &row[column + 1..]].concat();
-        let term = determinant(&others.iter().map(without).collect::<Vec<_>>()) * x;
-        if column.is_multiple_of(2) {
-            sum += term;
-        } else {
-            sum -= term;
+/// The determinants of two rows in each pair of columns.
+fn minors([a, b]: [&[&Integer]; 2]) -> [[Integer; 4]; 4] {
+    let mut minors: [[Integer; 4]; 4] = Default::default();
+    for i in 0..a.len() {
+        for j in 0..i {
+            let minor = Integer::from(a[j] * b[i]) - a[i] * b[j];
+            minors[i][j] = Integer::from(-&minor);
+            minors[j][i] = minor;
         }
     }
-    sum
+    minors
 }

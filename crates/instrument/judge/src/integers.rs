@@ -2,7 +2,7 @@
 //!
 //! The coordinates of a query are multiples of one power of two. In units of that power they are integers, the
 //! determinant is an integer, and fractions never need reducing. Rationals spend nine tenths of their time on that
-//! reduction.
+//! reduction. Coordinates of few bits need no more than 128 bits (`short.rs`).
 
 use std::borrow::Cow;
 use std::cell::RefCell;
@@ -12,10 +12,11 @@ use rug::ops::NegAssign;
 use rug::{Assign, Integer};
 
 use crate::row::Row;
+use crate::short;
 use crate::split::split;
 
 /// The maximum number of rows of a determinant: spheres have four, of three differences and a lift.
-const MOST: usize = 4;
+pub(super) const MOST: usize = 4;
 
 /// The integers of a computation, kept by each thread: to allocate them takes longer than to multiply.
 #[derive(Default)]
@@ -39,6 +40,12 @@ pub(super) fn scaled<const D: usize, const N: usize, R>(
 ) -> R {
     let columns = D + usize::from(lifted);
     assert!(columns == N - 1 && columns <= MOST, "as many rows as columns, and no more than there is room for");
+    if let Some((determinant, exponent)) = short::scaled(&points, lifted) {
+        return SCRATCH.with_borrow_mut(|Scratch { minors, .. }| {
+            minors[0].assign(determinant);
+            then(&minors[0], exponent)
+        });
+    }
     let lowest = points.as_flattened().iter().filter(|&&x| x != 0.0).map(|&x| split(x).1).min().unwrap_or(0);
     // One factor of the unit per column, and one more for the column of squares.
     let degree = i32::try_from(columns + usize::from(lifted)).expect("five at most");

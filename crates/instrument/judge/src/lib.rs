@@ -57,6 +57,8 @@ mod sample;
 #[cfg(feature = "gmp")]
 mod session;
 #[cfg(feature = "gmp")]
+mod short;
+#[cfg(feature = "gmp")]
 pub mod skin;
 #[cfg(feature = "gmp")]
 pub mod solids;

@@ -44,12 +44,14 @@ impl Points {
     /// # Errors
     /// [`Refused`] with the first construction whose lines and planes don't meet in a single point.
     pub fn construct(&mut self, definitions: &[Construction]) -> Result<Vec<Vertex>, Refused> {
-        let vertices =
-            self.scene.construct_all(definitions, |scene, vertex| match constructed::row(scene, vertex) {
-                Some(_) => Ok(()),
-                None => Err(NoPoint::Unspecified.into()),
-            })?;
-        self.constructed.resize_with(self.scene.constructions().len(), OnceLock::new);
+        let mut solved = Vec::new();
+        let vertices = self.scene.construct_all(definitions, |scene, vertex| {
+            let row = constructed::row(scene, vertex).ok_or(NoPoint::Unspecified)?;
+            solved.push(Solved { row, point: OnceLock::new() });
+            Ok(())
+        })?;
+        // One for each new vertex, in their order.
+        self.constructed.extend(solved.into_iter().map(|point| OnceLock::from(Some(point))));
         Ok(vertices)
     }
 
@@ -95,5 +97,27 @@ impl Points {
     fn solved(&self, index: usize, v: Vertex) -> Option<&Solved> {
         let solve = || Some(Solved { row: constructed::row(&self.scene, v)?, point: OnceLock::new() });
         self.constructed[index].get_or_init(solve).as_ref()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn points_that_are_constructed_together_have_their_own_rows() {
+        let scene = Scene::from_points2(&[[0.0, 0.0], [4.0, 0.0], [1.0, -1.0], [1.0, 2.0], [3.0, -1.0], [2.0, 5.0]]);
+        let scene = scene.expect("finite points");
+        let ends = |at: usize| [at, at + 1].map(Vertex::input);
+        let mut points = Points::of(&scene);
+        let vertices =
+            points.construct(&[Construction::Ssi([ends(0), ends(2)]), Construction::Ssi([ends(0), ends(4)])]);
+        let places = vertices.expect("two points").into_iter().map(|v| {
+            let point = points.point(v).expect("a point").into_owned();
+            assert_eq!(Some(&point), crate::point(points.scene(), v).as_ref(), "{v}");
+            point
+        });
+        let places: Vec<Vec<Rational>> = places.collect();
+        assert_ne!(places[0], places[1]);
     }
 }
