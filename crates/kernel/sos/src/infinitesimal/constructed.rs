@@ -36,8 +36,8 @@ fn key(infinitesimal: usize) -> u128 {
 enum Part {
     /// The determinant times the weights of all constructed vertices.
     Determinant,
-    /// The weight of an argument.
-    Weight(Vertex),
+    /// The weight of the argument with this number.
+    Weight(usize),
 }
 
 /// The input vertices of a question, and its polynomials as functions of their positions.
@@ -68,7 +68,10 @@ impl<'q> Asked<'q> {
         let points: Vec<Vec<Rational>> = vertices.iter().map(|&v| scene.point(v).iter().map(exact).collect()).collect();
         // Denominators of doubles are powers of two: the largest is a common one.
         let common = points.iter().flatten().map(Rational::denom).max().cloned().unwrap_or_else(|| Integer::from(1));
-        let integer = |x: Rational| (x * &common).into_numer_denom().0;
+        let integer = |x: Rational| {
+            let (numerator, own) = x.into_numer_denom();
+            numerator << (common.significant_bits() - own.significant_bits())
+        };
         let places = points.into_iter().map(|point| point.into_iter().map(integer).collect()).collect();
         Asked { scene, question, args, vertices, places }
     }
@@ -165,9 +168,15 @@ impl<'q> Asked<'q> {
         }
     }
 
-    fn value<N: Number>(&self, part: Part, points: &Points<N>) -> N {
-        if let Part::Weight(v) = part {
-            return self.row(points, v).pop().expect("a point has a weight");
+    /// The homogeneous coordinates of the arguments.
+    fn rows<N: Number>(&self, points: &Points<N>) -> Points<N> {
+        self.args.iter().map(|&v| self.row(points, v)).collect()
+    }
+
+    /// The value at arguments with these rows.
+    fn value<N: Number>(&self, part: Part, rows: &Points<N>) -> N {
+        if let Part::Weight(at) = part {
+            return rows[at].last().expect("a point has a weight").clone();
         }
         let axes: &[Axis] = match &self.question {
             Question::Compare(axis) => std::slice::from_ref(axis),
@@ -176,9 +185,7 @@ impl<'q> Asked<'q> {
             _ => &[Axis::X, Axis::Y, Axis::Z],
         };
         let lifted = matches!(self.question, Question::Incircle | Question::Insphere);
-        let row = |&v: &Vertex| {
-            let mut point = self.row(points, v);
-            let weight = point.pop().expect("a point has a weight");
+        let row = |point: &Vec<N>| {
             let mut row: Vec<N> = axes.iter().map(|axis| point[axis.index()].clone()).collect();
             if lifted {
                 // For input vertices, whose weight is one.
@@ -186,32 +193,32 @@ impl<'q> Asked<'q> {
                 row.iter().for_each(|x| lift.add_product(x, x, false));
                 row.push(lift);
             }
-            row.push(weight);
+            row.extend(point.last().cloned());
             row
         };
-        let matrix: Vec<Vec<N>> = self.args.iter().map(row).collect();
+        let matrix: Vec<Vec<N>> = rows.iter().map(row).collect();
         determinant(&matrix, &(0..matrix.len()).collect::<Vec<_>>())
     }
 
     /// The sign of the determinant, from the signs of polynomials.
     fn sign(&self, of: impl Fn(Part) -> Sign) -> Sign {
-        let constructed = self.args.iter().filter(|v| v.is_constructed());
-        constructed.fold(of(Part::Determinant), |product, &v| match product {
+        let constructed = (0..self.args.len()).filter(|&at| self.args[at].is_constructed());
+        constructed.fold(of(Part::Determinant), |product, at| match product {
             Sign::Zero => Sign::Zero,
-            product => product * of(Part::Weight(v)),
+            product => product * of(Part::Weight(at)),
         })
     }
 
-    /// The sign of a polynomial under infinitesimal moves.
-    fn slight_sign(&self, part: Part) -> Sign {
-        let still = Sign::from(self.value(part, &self.in_place()).cmp0());
+    /// The sign of a polynomial under infinitesimal moves; `still` are the rows of the arguments in place.
+    fn slight_sign(&self, part: Part, still: &Points<Integer>) -> Sign {
+        let still = Sign::from(self.value(part, still).cmp0());
         if !still.is_zero() {
             return still;
         }
         let is_zero = |active: &[Vertex]| {
             [0x9e37_79b9_7f4a_7c15, 0xd1b5_4a32_d192_ed03]
                 .iter()
-                .all(|&factor| self.value(part, &self.anywhere(active, factor)).is_zero())
+                .all(|&factor| self.value_at(part, &self.anywhere(active, factor)).is_zero())
         };
         if is_zero(&self.vertices) {
             return Sign::Zero;
@@ -228,8 +235,16 @@ impl<'q> Asked<'q> {
             }
         }
         let coordinates = movable.len() * self.scene.dimension().count();
-        let mut signs = (1..=coordinates).map(|active| self.value(part, &self.slightly(&movable, active)).sign());
+        let mut signs = (1..=coordinates).map(|active| self.value_at(part, &self.slightly(&movable, active)).sign());
         signs.find(|sign| !sign.is_zero()).expect("the determinant is zero for certain moves only")
+    }
+
+    /// The value at these points. A weight needs the row of its argument only.
+    fn value_at<N: Number>(&self, part: Part, points: &Points<N>) -> N {
+        match part {
+            Part::Determinant => self.value(part, &self.rows(points)),
+            Part::Weight(at) => self.row(points, self.args[at]).pop().expect("a point has a weight"),
+        }
     }
 }
 
@@ -238,7 +253,8 @@ impl<'q> Asked<'q> {
 /// Zero if it is zero wherever the input vertices are.
 pub(super) fn judge(scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
     let asked = Asked::new(scene, question, args);
-    asked.sign(|part| asked.slight_sign(part))
+    let still = asked.rows(&asked.in_place());
+    asked.sign(|part| asked.slight_sign(part, &still))
 }
 
 /// The sign after the second of two meshes has moved by (ε, ε², ε³); zero if it is zero however far that mesh moves.
@@ -251,8 +267,8 @@ pub fn judge_per_mesh(scene: &Scene, question: Question, args: &[Vertex]) -> Sig
         return super::formula::judge_per_mesh(scene, derived, args);
     }
     let asked = Asked::new(scene, question, args);
-    let points = asked.rigidly(scene.second_mesh().expect("a scene with two meshes"));
-    asked.sign(|part| asked.value(part, &points).sign())
+    let rows = asked.rows(&asked.rigidly(scene.second_mesh().expect("a scene with two meshes")));
+    asked.sign(|part| asked.value(part, &rows).sign())
 }
 
 #[cfg(test)]

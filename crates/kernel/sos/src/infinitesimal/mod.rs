@@ -124,7 +124,10 @@ impl Perturbed {
         let points: Vec<Vec<Rational>> = args.iter().map(|&v| scene.point(v).iter().map(rational).collect()).collect();
         // Denominators of doubles are powers of two: the largest is a common one.
         let common = points.iter().flatten().map(Rational::denom).max().cloned().unwrap_or_else(|| Integer::from(1));
-        let integer = |x: Rational| (x * &common).into_numer_denom().0;
+        let integer = |x: Rational| {
+            let (numerator, own) = x.into_numer_denom();
+            numerator << (common.significant_bits() - own.significant_bits())
+        };
         let mut indices: Vec<Vertex> = args.to_vec();
         indices.sort_unstable();
         indices.dedup();

@@ -102,6 +102,10 @@ pub(super) fn determinant<N: Number>(matrix: &[Vec<N>], columns: &[usize]) -> N 
     minors[0] = N::constant(Integer::from(1));
     for set in 1_usize..1 << matrix.len() {
         let last = set.count_ones() as usize - 1;
+        if last == 0 {
+            minors[set] = matrix[set.trailing_zeros() as usize][columns[0]].clone();
+            continue;
+        }
         let mut minor = N::default();
         for (above, row) in (0..matrix.len()).filter(|row| set >> row & 1 == 1).enumerate() {
             let (entry, rest) = (&matrix[row][columns[last]], &minors[set ^ 1 << row]);
@@ -116,11 +120,29 @@ pub(super) fn determinant<N: Number>(matrix: &[Vec<N>], columns: &[usize]) -> N 
 
 /// The maximal minors of n rows of n + 1 entries, with alternating signs.
 ///
-/// They form the vector that is orthogonal to all rows.
+/// They form the vector that is orthogonal to all rows. The minor of the first rows in each set of columns is expanded
+/// along its last row, so that the maximal minors share all smaller ones.
 pub(super) fn orthogonal<N: Number>(rows: &[Vec<N>]) -> Vec<N> {
-    let minor = |without: usize| {
-        let columns: SmallVec<[usize; 4]> = (0..=rows.len()).filter(|&column| column != without).collect();
-        let minor = determinant(rows, &columns);
+    let all = (1_usize << (rows.len() + 1)) - 1;
+    let mut minors = vec![N::default(); all + 1];
+    for set in 1..all {
+        let last = set.count_ones() as usize - 1;
+        let columns = (0..=rows.len()).filter(|column| set >> column & 1 == 1);
+        if last == 0 {
+            columns.for_each(|column| minors[set] = rows[0][column].clone());
+            continue;
+        }
+        let mut minor = N::default();
+        for (left, column) in columns.enumerate() {
+            let (entry, rest) = (&rows[last][column], &minors[set ^ 1 << column]);
+            if !entry.is_zero() && !rest.is_zero() {
+                minor.add_product(entry, rest, (left + last) % 2 == 1);
+            }
+        }
+        minors[set] = minor;
+    }
+    let signed = |without: usize| {
+        let minor = std::mem::take(&mut minors[all ^ 1 << without]);
         if without.is_multiple_of(2) {
             return minor;
         }
@@ -128,7 +150,7 @@ pub(super) fn orthogonal<N: Number>(rows: &[Vec<N>]) -> Vec<N> {
         negative.add_product(&minor, &N::constant(Integer::from(1)), true);
         negative
     };
-    (0..=rows.len()).map(minor).collect()
+    (0..=rows.len()).map(signed).collect()
 }
 
 #[cfg(test)]
@@ -163,6 +185,18 @@ mod tests {
             let mut found = polynomial(&sum);
             found.add_product(&polynomial(&a), &polynomial(&b), negative);
             prop_assert_eq!(found, polynomial(&expected));
+        }
+
+        #[test]
+        fn orthogonal_vectors_are_the_minors_without_a_column(count in 1..4_usize, entries in prop::array::uniform12(-9..9_i32)) {
+            let rows: Vec<Vec<Integer>> = (0..count)
+                .map(|row| (0..=count).map(|column| Integer::from(entries[4 * row + column])).collect())
+                .collect();
+            let minor = |without: usize| {
+                let columns: Vec<usize> = (0..=count).filter(|&column| column != without).collect();
+                determinant(&rows, &columns) * if without % 2 == 0 { 1 } else { -1 }
+            };
+            prop_assert_eq!(orthogonal(&rows), (0..=count).map(minor).collect::<Vec<_>>());
         }
     }
 
