@@ -93,6 +93,25 @@ const FIGURE_5: [Row; 12] = [
     root3(Symbol::Rho, [112, 224, 192], 3, 3),
 ];
 
+/// The rows of a dimension.
+const fn figure(dimension: Dimension) -> &'static [Row] {
+    match dimension {
+        Dimension::Two => &FIGURE_1,
+        Dimension::Three => &FIGURE_5,
+    }
+}
+
+impl Row {
+    /// The squares T₋², T² and T₊² for √ε and L.
+    fn squares(&self, half: &Enclosure, length: &Enclosure) -> [Rational; 3] {
+        // (ε^e)²; e is in quarters, so this is √ε to the same power.
+        let unit = half.power(self.epsilon_quarters) * length.power(2 * self.power);
+        let [lower, width, upper] = self.quarters.map(|c| Rational::from((Integer::from(c).square(), 16)));
+        let factor = if self.root3 { 3 } else { 1 };
+        [lower * &unit.lower, width * &unit.lower, upper * factor * unit.upper]
+    }
+}
+
 /// Our bands of the circle predicates, in units of ε L⁴ and ε L⁵: the error bounds 129 and 1129 in steps of one more.
 const INCIRCLE: [u32; 3] = [130, 260, 390];
 const INSPHERE: [u32; 3] = [1130, 2260, 3390];
@@ -155,18 +174,7 @@ impl Published {
     pub fn new(dimension: Dimension, halvings: u32, length: &Enclosure) -> Published {
         let epsilon = Enclosure::exact(Rational::from(1) >> halvings);
         let half = epsilon.sqrt();
-        let figure: &[Row] = match dimension {
-            Dimension::Two => &FIGURE_1,
-            Dimension::Three => &FIGURE_5,
-        };
-        let squares = |row: &Row| {
-            // (ε^e)²; e is in quarters, so this is √ε to the same power.
-            let unit = half.power(row.epsilon_quarters) * length.power(2 * row.power);
-            let [lower, width, upper] = row.quarters.map(|c| Rational::from((Integer::from(c).square(), 16)));
-            let factor = if row.root3 { 3 } else { 1 };
-            (row.symbol, [lower * &unit.lower, width * &unit.lower, upper * factor * unit.upper])
-        };
-        let squares = figure.iter().map(squares).collect();
+        let squares = figure(dimension).iter().map(|row| (row.symbol, row.squares(&half, length))).collect();
         let unit_squared = (epsilon.power(2) * length.power(2)).lower;
         Published { dimension, squares, unit_squared }
     }
@@ -239,7 +247,9 @@ pub fn band<S: Predicates + ?Sized>(session: &S, question: Question) -> Option<B
     let of = |halvings: u32| {
         let exact = |length: f64| Enclosure::exact(Rational::from_f64(length).unwrap_or_default());
         let figure = |dimension, symbol, length: f64| {
-            let [lower, width, upper] = Published::new(dimension, halvings, &exact(length)).rounded(symbol);
+            let half = Enclosure::exact(Rational::from(1) >> halvings).sqrt();
+            let row = figure(dimension).iter().find(|row| row.symbol == symbol).expect("a tolerance of the dimension");
+            let [lower, width, upper] = row.squares(&half, &exact(length)).each_ref().map(root);
             Band { lower, width, upper }
         };
         let ours = |numbers: [u32; 3], power: u32, length: f64| {
