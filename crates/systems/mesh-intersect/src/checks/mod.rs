@@ -26,7 +26,7 @@ use predicament_mesh::MaterialMesh;
 use predicament_predicates::{Construction, Scene, Vertex};
 
 pub use crate::truth::Point;
-pub use measures::{Measure, Sums, Together, add};
+pub use measures::{Corners, Measure, Parts, Sums, Together};
 pub use settled::{OfSurfaces, Settled, Settlement};
 pub use surface::flaw_of;
 

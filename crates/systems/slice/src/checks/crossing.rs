@@ -17,7 +17,7 @@ impl Slices {
         let step = self.triangles().div_ceil(expected.triangles_crossed.max(1)).max(1);
         let mut number = 0;
         for (at, part) in self.parts.iter().enumerate() {
-            let Some((index, reach)) = self.index(part) else { continue };
+            let Some((index, reach)) = near.index(part) else { continue };
             let mut others = Vec::new();
             for (place, &triangle) in part.triangles.iter().enumerate() {
                 number += 1;
@@ -40,19 +40,6 @@ impl Slices {
             }
         }
     }
-
-    /// The boxes of the triangles, and a bound on their error.
-    fn index(&self, part: &Part) -> Option<(Boxes<3>, f64)> {
-        let mut largest = 0.0_f64;
-        let boxes = part.triangles.iter().map(|triangle| {
-            let points = self.points(*triangle).map(|p| [0, 1, 2].map(|i| p[i].to_f64()));
-            points.as_flattened().iter().for_each(|x| largest = largest.max(x.abs()));
-            extent(points)
-        });
-        let boxes: Vec<Extent<3>> = boxes.collect();
-        // The relative rounding error of coordinates is below 2^-52.
-        (!boxes.is_empty()).then(|| (Boxes::new(boxes), largest * 2.0_f64.powi(-50)))
-    }
 }
 
 /// Points of triangles near each other: rounded, and as integers where rounding may have changed a sign.
@@ -64,6 +51,19 @@ pub(super) struct Near<'a> {
 impl<'a> Near<'a> {
     pub(super) fn of(points: &'a [Point]) -> Near<'a> {
         Near { rounded: Rounded::of(points), rows: Rows::of(points) }
+    }
+
+    /// The boxes of the triangles, and a bound on their error.
+    fn index(&self, part: &Part) -> Option<(Boxes<3>, f64)> {
+        let mut largest = 0.0_f64;
+        let boxes = part.triangles.iter().map(|triangle| {
+            let points = triangle.map(|p| self.rounded.point(p));
+            points.as_flattened().iter().for_each(|x| largest = largest.max(x.abs()));
+            extent(points)
+        });
+        let boxes: Vec<Extent<3>> = boxes.collect();
+        // The relative rounding error of coordinates is below 2^-52.
+        (!boxes.is_empty()).then(|| (Boxes::new(boxes), largest * 2.0_f64.powi(-50)))
     }
 
     /// Records a triangle without area.
@@ -83,7 +83,7 @@ impl<'a> Near<'a> {
         }
         let of_second = second.map(|p| plane.side(p));
         if of_second == [Ordering::Equal; 3] {
-            return expected.has_areas && self.overlap(first, second, expected.may_stand);
+            return expected.has_areas && self.overlap(plane, second, expected.may_stand);
         }
         // A triangle on one side of the plane has no inner point in the plane.
         if !(of_second.contains(&Ordering::Less) && of_second.contains(&Ordering::Greater)) {
@@ -119,8 +119,13 @@ impl<'a> Near<'a> {
 
     /// True if edges of two triangles in one plane cross, or a corner of one is inside the other, unless they may lie
     /// on each other: see [`Expected::may_stand`].
-    fn overlap(&self, first: [u32; 3], second: [u32; 3], may_stand: bool) -> bool {
-        let Some(axis) = self.rows.plane(first).axis() else { return false };
+    ///
+    /// Along any axis along which the plane's normal is not zero, all turns are those in the plane, or all are turned
+    /// over, and turns are only compared with each other.
+    fn overlap(&self, plane: &Across<'_>, second: [u32; 3], may_stand: bool) -> bool {
+        let first = plane.corners;
+        let seen = (0..3).find(|&axis| self.rounded.area(first, axis).is_some());
+        let Some(axis) = seen.or_else(|| plane.plane().axis()) else { return false };
         let turn = |[a, b]: [u32; 2], c: u32| {
             let exact = || self.rows.area([a, b, c], axis);
             if c == a || c == b { Ordering::Equal } else { self.rounded.area([a, b, c], axis).unwrap_or_else(exact) }
@@ -184,10 +189,11 @@ mod tests {
         let points = vec![at(0, 0, 0), at(24, 0, 1), at(0, -48, 2), at(1, 1, 4)];
         let part = Part { triangles: vec![[0, 1, 2], [0, 1, 3]], pieces: vec![Piece::Face(0); 2], ..Part::default() };
         let slices = Slices { points, parts: vec![part, Part::default()], ..Slices::default() };
-        let (index, reach) = slices.index(&slices.parts[0]).expect("two triangles");
+        let near_points = Near::of(&slices.points);
+        let (index, reach) = near_points.index(&slices.parts[0]).expect("two triangles");
         assert_eq!(index.all().len(), 2);
         assert_eq!(reach.to_bits(), (1023 + 4 - 50) << 52, "a part in 2^50 of 16");
-        assert!(slices.index(&slices.parts[1]).is_none(), "no triangle");
+        assert!(near_points.index(&slices.parts[1]).is_none(), "no triangle");
         let mut near = Vec::new();
         index.near(&index.all()[1], reach, &mut near);
         assert_eq!(near.iter().collect::<std::collections::BTreeSet<_>>().len(), 2);

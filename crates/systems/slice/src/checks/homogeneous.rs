@@ -16,7 +16,7 @@ type Row = [Integer; 4];
 
 /// Points over one denominator each, made when they are first needed.
 pub struct Rows<'p> {
-    points: &'p [Point],
+    points: Vec<&'p Point>,
     rows: Vec<OnceCell<Row>>,
 }
 
@@ -45,12 +45,13 @@ pub(super) struct Plane(Row);
 impl<'p> Rows<'p> {
     /// Points, whose places number the corners of triangles.
     #[must_use]
-    pub fn of(points: &'p [Point]) -> Rows<'p> {
-        Rows { points, rows: points.iter().map(|_| OnceCell::new()).collect() }
+    pub fn of(points: impl IntoIterator<Item = &'p Point>) -> Rows<'p> {
+        let points: Vec<&Point> = points.into_iter().collect();
+        Rows { rows: points.iter().map(|_| OnceCell::new()).collect(), points }
     }
 
     fn at(&self, place: u32) -> &Row {
-        self.rows[place as usize].get_or_init(|| row(&self.points[place as usize]))
+        self.rows[place as usize].get_or_init(|| row(self.points[place as usize]))
     }
 
     /// The product of the weights of three points.

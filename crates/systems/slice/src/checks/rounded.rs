@@ -32,6 +32,11 @@ impl Rounded {
         Rounded(points.iter().map(|p| [0, 1, 2].map(|i| p[i].to_f64())).collect())
     }
 
+    /// A rounded point.
+    pub(super) fn point(&self, p: u32) -> [f64; 3] {
+        self.0[p as usize]
+    }
+
     /// The differences of points to the last one, the largest of them, and the error of each.
     fn differences<const N: usize>(&self, points: [u32; N]) -> ([[f64; 3]; N], f64, f64) {
         let all = points.map(|p| self.0[p as usize]);

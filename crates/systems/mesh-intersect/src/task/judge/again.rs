@@ -15,7 +15,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use crate::answer::Source;
-use crate::checks::{Measure, Sums, Violations, add, name, note};
+use crate::checks::{Corners, Parts, Violations, name, note};
 use predicament_mesh::{MaterialMesh, OUTSIDE};
 use predicament_predicates::{PredicateKind, Scene, Vertex, ZeroMeaning};
 use rug::Rational;
@@ -43,24 +43,23 @@ impl Judging<'_> {
     /// Overlays the meshes again, and compares the results.
     pub(super) fn again(&self, asked: &Asked<'_>, found: &mut Violations) -> Result<(), Stop> {
         let is_exact = asked.contract(PredicateKind::Orient3d).zero == ZeroMeaning::Exact;
-        let together = self.laws.together();
-        let own = self.laws.of_results().map(|sums| together.merged(sums));
-        self.with_exchanged(&own, asked, is_exact, found);
+        self.with_exchanged(asked, is_exact, found);
         asked.watch.done(0)?;
-        self.with_complement(&own[2], asked, found);
+        self.with_complement(asked, found);
         asked.watch.done(0)
     }
 
-    /// The measures of each triangle in the results of another scene; `places` maps its sources to those here. A
-    /// finding is recorded if there are no results.
-    fn results_of(
+    /// Passes the pieces of each result, and of each result of another scene, to `compare`, with the corners of both;
+    /// `places` maps the other's sources to those here. A finding is recorded if there are no results.
+    fn with_results_of(
         &self,
         other: &Other,
         asked: &Asked<'_>,
         check: &'static str,
         places: &dyn Fn(Source) -> Source,
         found: &mut Violations,
-    ) -> Option<[Sums; 4]> {
+        compare: &dyn Fn(&Corners<'_>, [Parts; 4], [Parts; 4], &mut Violations),
+    ) {
         let law = "an overlay is possible in both ways, or in neither";
         let answer = match asked.backend.answer(&MeshIntersect, &other.scene, &other.content) {
             Ok(answer) => answer,
@@ -69,25 +68,28 @@ impl Judging<'_> {
                 if asked.contract(PredicateKind::Orient3d).zero != ZeroMeaning::Band {
                     note(found, check, why.to_string(), law);
                 }
-                return None;
+                return;
             }
         };
         if let Some(broken) = answer.broken {
             note(found, check, broken.to_string(), law);
-            return None;
+            return;
         }
         let Ok(points) = points(&other.scene, &answer, self.place) else {
             note(found, check, "a vertex is not a point".to_owned(), law);
-            return None;
+            return;
         };
         let judged = Judging::new(&other.scene, &other.content, &answer, points, self.place);
+        let corners = Corners::of(&[&self.laws.points, &judged.laws.points]);
         // Parts of two triangles may have the other one as source.
         let together = self.laws.together();
-        let placed = |sums: Sums| sums.into_iter().map(|(source, measure)| (places(source), measure)).collect();
-        Some(judged.laws.of_results().map(|sums| together.merged(placed(sums))))
+        let own = self.laws.of_results(corners.numbers(0)).map(|parts| together.merged(parts));
+        let results = judged.laws.of_results(corners.numbers(1));
+        let results = results.map(|parts| together.merged(parts.with_sources(places)));
+        compare(&corners, own, results, found);
     }
 
-    fn with_exchanged(&self, own: &[Sums; 4], asked: &Asked<'_>, is_exact: bool, found: &mut Violations) {
+    fn with_exchanged(&self, asked: &Asked<'_>, is_exact: bool, found: &mut Violations) {
         const CHECK: &str = "meshes exchanged";
         // The vertices of the second mesh come first.
         let is_of_second = self.laws.scene.second_mesh().unwrap_or_default();
@@ -104,27 +106,28 @@ impl Judging<'_> {
         let (Ok(first), Ok(second)) = (moved(first), moved(second)) else { return };
         let Some(other) = Other::new(&points, [second, first]) else { return };
         let back = |source: Source| Source { mesh: 1 - source.mesh, ..source };
-        let Some(results) = self.results_of(&other, asked, CHECK, &back, found) else { return };
-        let second = self.laws.together().merged(self.laws.of_mesh(1));
-        // The difference of the second and the first, together with the intersection, is the second.
-        let laws: [(&str, Vec<(&Sums, i32)>); 4] = [
-            ("the unions are the same", vec![(&own[0], 1), (&results[0], -1)]),
-            ("the intersections are the same", vec![(&own[1], 1), (&results[1], -1)]),
-            ("B∖A and the intersection together equal B", vec![(&results[2], 1), (&own[1], 1), (&second, -1)]),
-            ("the symmetric differences are the same", vec![(&own[3], 1), (&results[3], -1)]),
-        ];
-        for (law, terms) in laws {
-            let left = left(&terms);
-            let volume: Rational = left.values().map(|measure| &measure[3]).sum();
-            if !volume.is_zero() {
-                note(found, CHECK, format!("volumes are {:e} off", volume.to_f64() / 6.0), law);
-            } else if is_exact && let Some((source, _)) = left.first_key_value() {
-                note(found, CHECK, format!("{}: its parts differ", name(*source)), law);
+        self.with_results_of(&other, asked, CHECK, &back, found, &|corners, own, results, found| {
+            let second = self.laws.together().merged(self.laws.of_mesh(1, corners.numbers(0)));
+            // The difference of the second and the first, together with the intersection, is the second.
+            let laws: [(&str, Vec<(&Parts, i32)>); 4] = [
+                ("the unions are the same", vec![(&own[0], 1), (&results[0], -1)]),
+                ("the intersections are the same", vec![(&own[1], 1), (&results[1], -1)]),
+                ("B∖A and the intersection together equal B", vec![(&results[2], 1), (&own[1], 1), (&second, -1)]),
+                ("the symmetric differences are the same", vec![(&own[3], 1), (&results[3], -1)]),
+            ];
+            for (law, terms) in laws {
+                let left = corners.left(&terms);
+                let volume: Rational = left.values().map(|measure| &measure[3]).sum();
+                if !volume.is_zero() {
+                    note(found, CHECK, format!("volumes are {:e} off", volume.to_f64() / 6.0), law);
+                } else if is_exact && let Some((source, _)) = left.first_key_value() {
+                    note(found, CHECK, format!("{}: its parts differ", name(*source)), law);
+                }
             }
-        }
+        });
     }
 
-    fn with_complement(&self, own: &Sums, asked: &Asked<'_>, found: &mut Violations) {
+    fn with_complement(&self, asked: &Asked<'_>, found: &mut Violations) {
         const CHECK: &str = "difference by complement";
         let mut points: Vec<[f64; 3]> = self.laws.scene.vertices().map(|v| self.laws.scene.point3(v)).collect();
         let count = points.len();
@@ -152,27 +155,22 @@ impl Judging<'_> {
         let first = MaterialMesh::clone(&self.laws.meshes[0]);
         let Some(other) = Other::new(&points, [first, complement]) else { return };
         // Triangles of the box come after the mesh's triangles.
-        let beyond = u32::MAX;
-        let back = |source: Source| match source.mesh {
-            0 => source,
-            _ => Source { triangle: places.get(source.triangle as usize).copied().unwrap_or(beyond), ..source },
+        let beyond = u32::MAX - u32::try_from(FACES.len()).unwrap_or(u32::MAX);
+        let back = |source: Source| {
+            let at = source.triangle as usize;
+            let of_box = || beyond.saturating_add(u32::try_from(at - places.len()).unwrap_or(u32::MAX));
+            match source.mesh {
+                0 => source,
+                _ => Source { triangle: places.get(at).copied().unwrap_or_else(of_box), ..source },
+            }
         };
-        let Some(results) = self.results_of(&other, asked, CHECK, &back, found) else { return };
-        let left = left(&[(own, 1), (&results[1], -1)]);
-        if let Some((source, _)) = left.first_key_value() {
-            let of = if source.triangle == beyond { "the box".to_owned() } else { name(*source) };
-            let got = format!("{} triangles, first {of}: its parts differ", left.len());
-            note(found, CHECK, got, "A∖B equals the intersection of A and the complement of B");
-        }
+        self.with_results_of(&other, asked, CHECK, &back, found, &|corners, own, results, found| {
+            let left = corners.left(&[(&own[2], 1), (&results[1], -1)]);
+            if let Some((source, _)) = left.first_key_value() {
+                let of = if source.triangle >= beyond { "the box".to_owned() } else { name(*source) };
+                let got = format!("{} triangles, first {of}: its parts differ", left.len());
+                note(found, CHECK, got, "A∖B equals the intersection of A and the complement of B");
+            }
+        });
     }
-}
-
-/// The sum of measures with coefficients, without zeros.
-fn left(terms: &[(&Sums, i32)]) -> Sums {
-    let mut left = Sums::new();
-    for (sums, times) in terms {
-        sums.iter().for_each(|(source, measure): (&Source, &Measure)| add(&mut left, *source, measure, *times));
-    }
-    left.retain(|_, measure| measure.iter().any(|x| !x.is_zero()));
-    left
 }
