@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use rug::Rational;
 
-use super::plane::{Common, Neighbours, Point, area, common, distance, is_on, side};
+use super::plane::{Common, Neighbours, Point, area, distance, is_on, side};
 use super::{Check, Expected, Flaw, Flaws, stride};
 
 /// An arrangement under test.
@@ -102,12 +102,14 @@ impl Graph {
     }
 
     fn crossings(&self, expected: Expected, flaws: &mut Flaws) {
-        let Some(neighbours) = Neighbours::new((0..self.edges.len()).map(|edge| self.edge(edge))) else { return };
+        let Some(neighbours) = Neighbours::new((0..self.edges.len()).map(|edge| self.edge(edge)).collect()) else {
+            return;
+        };
         let mut near = Vec::new();
         for edge in (0..self.edges.len()).step_by(stride(self.edges.len(), expected.edges_crossed)) {
             neighbours.of(edge, &mut near);
             for other in near.iter().map(|&other| other as usize).filter(|&other| other != edge) {
-                let is_wrong = match common(self.edge(edge), self.edge(other)) {
+                let is_wrong = match neighbours.common(edge, other) {
                     Common::Nothing => false,
                     Common::Crossing => true,
                     Common::Touch => expected.has_areas,

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use rug::Rational;
 
-use super::plane::{Common, Neighbours, Point, area, common, is_on, side, winding};
+use super::plane::{Common, Neighbours, Point, area, common, is_on, winding};
 use super::{Check, Expected, Flaw, Flaws, stride};
 use predicament_judge::sum::sum;
 
@@ -54,8 +54,19 @@ impl Operands {
             part * Rational::from(&b[0] - &a[0]) + &a[0]
         };
         let mut heights: Vec<Rational> = all.iter().flatten().map(|p| p[1].clone()).collect();
+        let neighbours = Neighbours::new(all.clone());
+        let crosses = |i: usize, j: usize| match &neighbours {
+            Some(neighbours) => neighbours.common(i, j) == Common::Crossing,
+            None => common(all[i], all[j]) == Common::Crossing,
+        };
+        let mut near = Vec::new();
         for (i, &e) in all.iter().enumerate() {
-            for &f in all[..i].iter().filter(|&&f| common(e, f) == Common::Crossing) {
+            match &neighbours {
+                Some(neighbours) => neighbours.of(i, &mut near),
+                None => near = (0..).take(i).collect(),
+            }
+            let before = near.iter().map(|&j| j as usize).filter(|&j| j < i && crosses(i, j));
+            for f in before.map(|j| all[j]) {
                 // The point of e at parameter `part` is on f's line.
                 let [from, to] = [e[0], e[1]].map(|p| super::plane::turn(f[0], f[1], p));
                 let part = &from / Rational::from(&from - &to);
@@ -187,27 +198,26 @@ fn orientation(name: &str, regions: &[Vec<Vec<Point>>], expected: Expected, flaw
 
 fn crossings(name: &str, regions: &[Vec<Vec<Point>>], expected: Expected, flaws: &mut Flaws) {
     let all: Vec<[&Point; 2]> = regions.iter().flatten().flat_map(|one| edges(one)).collect();
-    let Some(neighbours) = Neighbours::new(all.iter().copied()) else { return };
+    let count = all.len();
+    let Some(neighbours) = Neighbours::new(all.clone()) else { return };
     let mut near = Vec::new();
-    for at in (0..all.len()).step_by(stride(all.len(), expected.edges_crossed)) {
+    for at in (0..count).step_by(stride(count, expected.edges_crossed)) {
         neighbours.of(at, &mut near);
         for other in near.iter().map(|&other| other as usize).filter(|&other| other != at) {
-            let [a, b] = all[at];
-            let [c, d] = all[other];
             // Regions may touch in points, not along edges.
-            let is_wrong = common([a, b], [c, d]) == Common::Crossing || expected.has_areas && overlap([a, b], [c, d]);
-            if is_wrong {
+            let overlaps = || {
+                let are_of_one_line = (0..2).all(|end| neighbours.side(at, other, end).is_eq());
+                are_of_one_line && overlap(all[at], all[other])
+            };
+            if neighbours.common(at, other) == Common::Crossing || expected.has_areas && overlaps() {
                 flaws.add(Check::ResultCrossing, || format!("edges {at} and {other} of the {name} cross"));
             }
         }
     }
 }
 
-/// True if two segments of one line have more than a point in common.
+/// True if two segments whose second one is in the line of the first have more than a point in common.
 fn overlap([a, b]: [&Point; 2], [c, d]: [&Point; 2]) -> bool {
-    if side(a, b, c).is_ne() || side(a, b, d).is_ne() {
-        return false;
-    }
     let [low, high] = if a < b { [a, b] } else { [b, a] };
     let [from, to] = if c < d { [c, d] } else { [d, c] };
     low.max(from) < high.min(to) && (is_on(a, b, c) || is_on(a, b, d) || is_on(c, d, a))

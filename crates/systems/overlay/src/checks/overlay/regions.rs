@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use rug::Rational;
 
-use super::plane::{Common, Neighbours, Point, area, common, winding};
+use super::plane::{Common, Neighbours, Point, area, winding};
 use predicament_judge::sum::sum;
 
 /// Regions as loops: the outer one, then the holes.
@@ -65,12 +65,13 @@ impl Shape {
             }
         }
         let all: Vec<[&Point; 2]> = self.edges().collect();
-        let Some(neighbours) = Neighbours::new(all.iter().copied()) else { return defects };
+        let count = all.len();
+        let Some(neighbours) = Neighbours::new(all) else { return defects };
         let mut near = Vec::new();
-        for (at, &edge) in all.iter().enumerate() {
+        for at in 0..count {
             neighbours.of(at, &mut near);
             for other in near.iter().map(|&other| other as usize).filter(|&other| other < at) {
-                match common(edge, all[other]) {
+                match neighbours.common(at, other) {
                     Common::Nothing => {}
                     Common::Crossing => defects.crossings += 1,
                     Common::Touch => defects.touches += 1,
