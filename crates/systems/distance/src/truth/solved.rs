@@ -40,10 +40,7 @@ pub(super) fn solved(one: &[&Point], other: &[&Point]) -> Option<Solved> {
     let directions: Vec<Point> = ahead.iter().cloned().chain(negated).collect();
     let weights = weights(&directions, &between)?;
     let (of_one, of_other) = weights.split_at(ahead.len());
-    let is_inside = |weights: &[Rational]| {
-        let sum: Rational = weights.iter().sum();
-        weights.iter().all(|weight| *weight > 0) && sum < 1
-    };
+    let is_inside = |weights: &[Rational]| weights.iter().sum::<Rational>() < 1;
     if !is_inside(of_one) || !is_inside(of_other) {
         return None;
     }
@@ -59,7 +56,9 @@ pub(super) fn solved(one: &[&Point], other: &[&Point]) -> Option<Solved> {
     Some(Solved { squared: dot(&difference, &difference), points })
 }
 
-/// The weights of the directions whose sum is nearest to a vector; `None` if there are several.
+/// The weights of the directions whose sum is nearest to a vector; `None` if there are several, or one is not positive.
+///
+/// The first weight that is not positive ends the search: a point of the inside has none.
 fn weights(directions: &[Point], vector: &Point) -> Option<Vec<Rational>> {
     let rows: Vec<Vec<Rational>> =
         directions.iter().map(|one| directions.iter().map(|other| dot(one, other)).collect()).collect();
@@ -74,7 +73,8 @@ fn weights(directions: &[Point], vector: &Point) -> Option<Vec<Rational>> {
     let weight = |at: usize| {
         let mut replaced = rows.clone();
         replaced.iter_mut().zip(&right).for_each(|(row, right)| row[at].clone_from(right));
-        determinant(&replaced) / &whole
+        let weight = determinant(&replaced) / &whole;
+        (weight > 0).then_some(weight)
     };
-    Some((0..directions.len()).map(weight).collect())
+    (0..directions.len()).map(weight).collect()
 }
