@@ -117,7 +117,7 @@ mod tests {
                     // Both halves and their sum are exact.
                     let [high, low] = [kept >> 32, kept & 0xffff_ffff].map(|half| u32::try_from(half).map(f64::from));
                     let x = if magnitude == 1 { 1.0 } else { high.unwrap() * 2.0_f64.powi(32) + low.unwrap() };
-                    unit * if next() % 2 == 0 { x } else { -x }
+                    unit * if next().is_multiple_of(2) { x } else { -x }
                 })
             });
             let exact = points.map(|point| point.map(crate::rational));

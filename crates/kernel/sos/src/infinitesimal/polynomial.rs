@@ -194,7 +194,7 @@ mod tests {
                 .collect();
             let minor = |without: usize| {
                 let columns: Vec<usize> = (0..=count).filter(|&column| column != without).collect();
-                determinant(&rows, &columns) * if without % 2 == 0 { 1 } else { -1 }
+                determinant(&rows, &columns) * if without.is_multiple_of(2) { 1 } else { -1 }
             };
             prop_assert_eq!(orthogonal(&rows), (0..=count).map(minor).collect::<Vec<_>>());
         }

@@ -39,6 +39,9 @@ impl Other {
     }
 }
 
+/// A function that compares the pieces of each result with those of another overlay, over these corners.
+type Comparison<'l> = dyn Fn(&Corners<'_>, [Parts; 4], [Parts; 4], &mut Violations) + 'l;
+
 impl Judging<'_> {
     /// Overlays the meshes again, and compares the results.
     pub(super) fn again(&self, asked: &Asked<'_>, found: &mut Violations) -> Result<(), Stop> {
@@ -58,7 +61,7 @@ impl Judging<'_> {
         check: &'static str,
         places: &dyn Fn(Source) -> Source,
         found: &mut Violations,
-        compare: &dyn Fn(&Corners<'_>, [Parts; 4], [Parts; 4], &mut Violations),
+        compare: &Comparison<'_>,
     ) {
         let law = "an overlay is possible in both ways, or in neither";
         let answer = match asked.backend.answer(&MeshIntersect, &other.scene, &other.content) {
