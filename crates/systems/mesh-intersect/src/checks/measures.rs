@@ -24,7 +24,7 @@ pub type Measure = [Rational; 4];
 pub type Sums = BTreeMap<Source, Measure>;
 
 /// Pieces by source, with the number of times that each counts: those that are turned over count negatively. The key is
-/// the numbers of the corners in ascending order, as [`ascending`] gives them.
+/// the numbers of the corners in ascending order.
 #[derive(Clone, Default, Debug)]
 pub struct Parts(BTreeMap<(Source, [u32; 3]), i32>);
 
