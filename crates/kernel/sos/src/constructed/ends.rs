@@ -23,8 +23,8 @@
 //! | a share p/q of a, c | a, c | p, q − p |
 //! | the plane a, b, c; F and G are zero on the next two planes | a, b, c | F(b)·G(c) − F(c)·G(b), … in cycles |
 //!
-//! With normals as in [`row`](super::row), these weights add up to the row's weight, whichever plane of three is first
-//! in their cycle.
+//! These weights add up to the row's weight, if normals are those of [`row`](super::row). The sum does not depend on
+//! which of three planes is the first in their cycle.
 
 use predicament_arithmetic::dyadic::{
     Number, Space,
