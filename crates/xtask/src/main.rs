@@ -17,11 +17,13 @@ mod cpu;
 mod data;
 mod defects;
 mod deny;
+mod fuzz;
 #[cfg(test)]
 mod house;
 mod m4;
 mod memory;
 mod mutants;
+mod nightly;
 mod pages;
 mod prove;
 mod python;
@@ -45,8 +47,11 @@ Commands:
   test   format, clippy, docs, tests, doc tests, the embedded corpora through the gate
   test CRATE...
          format, clippy, docs and the tests of these crates alone, such as `delaunay` (seconds after a change in it)
-  nightly
-         heavy tests whole, the engines of crates, the benches with peers, cargo package, cargo deny, advisories, the recipes of docs/CI.md, the book, the report in a browser, the page about data, runs in parts by engines, the oldest compiler, ten minutes of each fuzz target
+  nightly [STEP...]
+         these steps, or all: lint, tests (whole), c-features, engines (of crates), benches (with peers), packages,
+         prove, memory, defects, licences, advisories, ci-page, book, browser, data, wheel, vectors, spread,
+         oldest-compiler, strangers (examples outside the workspace), fuzz (ten minutes of each target); prints how each
+         step ended and how long it took
   engines [NAME...]
          install and build the engines of other libraries (CGAL, GEOS, libigl, crates, ...) for `run -b engine:NAME`: by
          apt, pip, npm and cargo, into their folders where the client can
@@ -109,7 +114,7 @@ fn main() -> ExitCode {
     let command = args.next().unwrap_or_else(|| "help".to_owned());
     let rest: Vec<String> = args.collect();
     let is_known = |argument: &str| {
-        ["advisories", "c-library", "engines", "mutants", "test"].contains(&command.as_str())
+        ["advisories", "c-library", "engines", "mutants", "nightly", "test"].contains(&command.as_str())
             || command == "browser" && argument == "--accept"
             || ["sample", "scoreboard"].contains(&command.as_str()) && argument == "--resume"
     };
@@ -121,7 +126,7 @@ fn main() -> ExitCode {
         "demo" => m4::ensure().and_then(|()| steps::demo()),
         "test" if rest.is_empty() => m4::ensure().and_then(|()| steps::test()),
         "test" => m4::ensure().and_then(|()| steps::test_of(&rest)),
-        "nightly" => m4::ensure().and_then(|()| steps::nightly()),
+        "nightly" => m4::ensure().and_then(|()| nightly::check(&rest)),
         "book" => book::build(),
         "browser" => m4::ensure().and_then(|()| browser::check(false, !rest.is_empty())),
         "advisories" => advisories::check(&rest),
@@ -133,7 +138,7 @@ fn main() -> ExitCode {
         "mutants" => m4::ensure().and_then(|()| mutants::score(&rest)),
         "wheel" => m4::ensure().and_then(|()| python::wheel()),
         "spread" => m4::ensure().and_then(|()| spread::check()),
-        "fuzz-seeds" => m4::ensure().and_then(|()| steps::fuzz_seeds()),
+        "fuzz-seeds" => m4::ensure().and_then(|()| fuzz::seeds()),
         "pages" => m4::ensure().and_then(|()| pages::write()),
         "prove" => m4::ensure().and_then(|()| prove::check()),
         "sample" => m4::ensure().and_then(|()| sample::make(!rest.is_empty())),
