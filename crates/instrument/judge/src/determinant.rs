@@ -1,8 +1,8 @@
 //! The judge: exact signs by the textbook determinants.
 //!
-//! It shares no code with any backend: no filter, no expansion, no translated copy of a published formula, only `rug`,
-//! integers of 128 bits where these hold everything (`short.rs`), and the definition. It is slow, which is acceptable
-//! here. Constructed vertices first become rational points, by linear equations.
+//! The judge shares no code with any backend: no filter, no expansion, no translated copy of a published formula. The
+//! judge has only `rug`, integers of 128 bits where these hold everything (`short.rs`), and the definition. Slowness is
+//! acceptable here. Constructed vertices first become rational points, by linear equations.
 //!
 //! [`verdict`] computes in rationals, term by term. [`sign`] and [`is_within`] are for millions of queries: they use
 //! rationals over common denominators, that is, integers. Runs check samples of the second computation against the

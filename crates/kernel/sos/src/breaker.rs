@@ -244,10 +244,7 @@ impl<'s> Breaker<'s> {
     fn deep_incircle<const SCHEME: usize>(&self, points: [&[f64; 2]; 4]) -> (Sign, usize) {
         let args = points.map(|point| self.points.vertex2(point));
         let decided = leading::deep::<SCHEME, INCIRCLE, 2, 4>(&self.exact, self.points.flat, args, (true, 3));
-        match self.broken(Question::Incircle, args, decided) {
-            (sign, AS_EXACT) => (sign, DOUBLE),
-            broken => broken,
-        }
+        self.tied((Sign::Zero, DOUBLE), || self.broken(Question::Incircle, args, decided))
     }
 
     #[inline(never)]
@@ -312,10 +309,7 @@ impl<'s> Breaker<'s> {
     fn deep_insphere<const SCHEME: usize>(&self, points: [&[f64; 3]; 5]) -> (Sign, usize) {
         let args = points.map(|point| self.points.vertex3(point));
         let decided = leading::deep::<SCHEME, INSPHERE, 3, 5>(&self.exact, self.points.solid, args, (true, 4));
-        match self.broken(Question::Insphere, args, decided) {
-            (sign, AS_EXACT) => (sign, DOUBLE),
-            broken => broken,
-        }
+        self.tied((Sign::Zero, DOUBLE), || self.broken(Question::Insphere, args, decided))
     }
 
     #[inline(never)]
