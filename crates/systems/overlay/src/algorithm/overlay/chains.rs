@@ -150,8 +150,11 @@ impl Chains {
             chains.join_repeats();
         }
         let mut node_of = |v: Vertex| numbers.of(places.root(slots.of(v)));
-        chains.cut(supports, &mut node_of, on_segments.has_overlaps);
-        if are_new && !on_segments.has_overlaps {
+        chains.cut(supports, &mut node_of);
+        if on_segments.has_overlaps {
+            chains.join_pieces(are_new);
+        }
+        if are_new {
             chains.crossings = on_segments.crossings;
         }
         for run in runs {
@@ -236,8 +239,8 @@ impl Chains {
         }
     }
 
-    /// Makes the pieces between the nodes, each once.
-    fn cut(&mut self, supports: &Supports, node_of: impl FnMut(Vertex) -> u32, has_overlaps: bool) {
+    /// Makes the pieces between the nodes, for each segment its own.
+    fn cut(&mut self, supports: &Supports, node_of: impl FnMut(Vertex) -> u32) {
         self.pieces.reserve(self.along.len());
         if supports.are_whole {
             self.piece.reserve(self.along.len());
@@ -252,9 +255,6 @@ impl Chains {
             }
         } else {
             self.cut_parts(supports, node_of);
-        }
-        if has_overlaps {
-            self.join_pieces();
         }
     }
 
@@ -292,10 +292,17 @@ impl Chains {
     }
 
     /// Merges the pieces between the same two nodes.
-    fn join_pieces(&mut self) {
+    ///
+    /// If `are_new`, each constructed node is the crossing of two segments and nothing else. These segments have no
+    /// second crossing, so one of the two nodes is an input vertex.
+    fn join_pieces(&mut self, are_new: bool) {
         let key = |piece: &Piece| [piece.ends[0].min(piece.ends[1]), piece.ends[0].max(piece.ends[1])];
-        let mut order: Vec<([u32; 2], u32)> = self.pieces.iter().map(key).zip(0..).collect();
+        let is_open = |(ends, _): &([u32; 2], u32)| !are_new || (ends[0] as usize) < self.inputs;
+        let mut order: Vec<([u32; 2], u32)> = self.pieces.iter().map(key).zip(0..).filter(is_open).collect();
         order.sort_unstable();
+        if order.windows(2).all(|pair| pair[0].0 != pair[1].0) {
+            return;
+        }
         // The first piece of each group stays.
         let mut kept: Vec<u32> = (0..number(self.pieces.len())).collect();
         for group in order.chunk_by(|a, b| a.0 == b.0) {
