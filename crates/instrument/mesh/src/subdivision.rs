@@ -234,6 +234,13 @@ impl Subdivision {
         self.left[half as usize]
     }
 
+    /// The faces on the left and on the right of each edge, seen from its first node.
+    #[inline]
+    #[must_use]
+    pub fn sides(&self) -> &[[u32; 2]] {
+        self.left.as_chunks().0
+    }
+
     /// The next half-edge along the same face.
     #[inline]
     #[must_use]

@@ -30,14 +30,14 @@ const PASSES: u32 = 8;
 /// every piece. With an even-odd rule they are 0 and 1, because edges that the operand passes an even number of times
 /// are absent.
 pub(super) fn windings(subdivision: &Subdivision, pieces: &[Piece], rules: [Rule; 2]) -> (Vec<[i32; 2]>, bool) {
-    if let Some(windings) = in_order(subdivision, pieces, rules) {
+    let masks = Masks::new(rules);
+    if let Some(windings) = in_order(subdivision, pieces, masks) {
         return (windings, true);
     }
-    let (windings, are_known) = one_by_one(subdivision, pieces, rules);
+    let (windings, are_known) = one_by_one(subdivision, pieces, masks);
     let agree = |range: Range<usize>| {
-        range.map(super::number).all(|piece| {
-            let [left, right] = sides(subdivision, 2 * piece);
-            across(windings[left], pieces, 2 * piece, rules) == windings[right]
+        subdivision.sides()[range.clone()].iter().zip(&pieces[range]).all(|(&[left, right], piece)| {
+            masks.right(windings[left as usize], piece.label) == windings[right as usize]
         })
     };
     let agree = are_known && parallel::ranges(pieces.len(), &agree).into_iter().all(|agree| agree);
@@ -49,18 +49,20 @@ const UNKNOWN: [i32; 2] = [i32::MIN; 2];
 
 /// Winding numbers by a few passes over the pieces, in the order of memory: most pieces are next to pieces of which one
 /// side is known. `None` if that does not reach all faces, or if the numbers do not agree around every piece.
-fn in_order(subdivision: &Subdivision, pieces: &[Piece], rules: [Rule; 2]) -> Option<Vec<[i32; 2]>> {
+fn in_order(subdivision: &Subdivision, pieces: &[Piece], masks: Masks) -> Option<Vec<[i32; 2]>> {
     let mut windings = vec![UNKNOWN; subdivision.faces()];
     windings[0] = [0; 2];
     let mut agree = true;
+    let sides = subdivision.sides();
     // Returns true if one of the sides is known.
     let mut pass = |piece: u32| {
-        let [left, right] = sides(subdivision, 2 * piece);
+        let label = pieces[piece as usize].label;
+        let [left, right] = sides[piece as usize].map(|face| face as usize);
         match [windings[left], windings[right]] {
             [UNKNOWN, UNKNOWN] => return false,
-            [UNKNOWN, own] => windings[left] = across(own, pieces, 2 * piece + 1, rules),
-            [own, UNKNOWN] => windings[right] = across(own, pieces, 2 * piece, rules),
-            [own, other] => agree &= across(own, pieces, 2 * piece, rules) == other,
+            [UNKNOWN, own] => windings[left] = masks.left(own, label),
+            [own, UNKNOWN] => windings[right] = masks.right(own, label),
+            [own, other] => agree &= masks.right(own, label) == other,
         }
         true
     };
@@ -74,7 +76,7 @@ fn in_order(subdivision: &Subdivision, pieces: &[Piece], rules: [Rule; 2]) -> Op
 }
 
 /// Winding numbers from face to face; and true if all faces are reached.
-fn one_by_one(subdivision: &Subdivision, pieces: &[Piece], rules: [Rule; 2]) -> (Vec<[i32; 2]>, bool) {
+fn one_by_one(subdivision: &Subdivision, pieces: &[Piece], masks: Masks) -> (Vec<[i32; 2]>, bool) {
     let mut windings = vec![[0; 2]; subdivision.faces()];
     let mut is_known = vec![false; windings.len()];
     is_known[0] = true;
@@ -90,7 +92,9 @@ fn one_by_one(subdivision: &Subdivision, pieces: &[Piece], rules: [Rule; 2]) -> 
                 let other = subdivision.face(half ^ 1) as usize;
                 if !is_known[other] {
                     is_known[other] = true;
-                    windings[other] = across(own, pieces, half, rules);
+                    let label = pieces[half as usize / 2].label;
+                    let is_forth = half.is_multiple_of(2);
+                    windings[other] = if is_forth { masks.right(own, label) } else { masks.left(own, label) };
                     open.push(super::number(other));
                 }
             }
@@ -100,22 +104,26 @@ fn one_by_one(subdivision: &Subdivision, pieces: &[Piece], rules: [Rule; 2]) -> 
     (windings, are_known)
 }
 
-/// The faces on the left and on the right of a half-edge.
-#[inline]
-fn sides(subdivision: &Subdivision, half: u32) -> [usize; 2] {
-    [subdivision.face(half) as usize, subdivision.face(half ^ 1) as usize]
-}
+/// The bits of each operand's winding numbers: all of them, or the last one with an even-odd rule.
+#[derive(Clone, Copy)]
+struct Masks([i32; 2]);
 
-/// The winding numbers on the right of a half-edge, from those on its left.
-#[inline]
-fn across(left: [i32; 2], pieces: &[Piece], half: u32, rules: [Rule; 2]) -> [i32; 2] {
-    let label = pieces[half as usize / 2].label;
-    let sign = if half.is_multiple_of(2) { 1 } else { -1 };
-    let one = |left: i32, label: i32, rule: Rule| {
-        let winding = left.wrapping_sub(sign * label);
-        if rule == Rule::EvenOdd { winding.rem_euclid(2) } else { winding }
-    };
-    [one(left[0], label[0], rules[0]), one(left[1], label[1], rules[1])]
+impl Masks {
+    fn new(rules: [Rule; 2]) -> Masks {
+        Masks(rules.map(|rule| if rule == Rule::EvenOdd { 1 } else { -1 }))
+    }
+
+    /// The winding numbers on the right of a piece, from those on its left.
+    #[inline]
+    fn right(self, left: [i32; 2], label: [i32; 2]) -> [i32; 2] {
+        [0, 1].map(|operand: usize| left[operand].wrapping_sub(label[operand]) & self.0[operand])
+    }
+
+    /// The winding numbers on the left of a piece, from those on its right.
+    #[inline]
+    fn left(self, right: [i32; 2], label: [i32; 2]) -> [i32; 2] {
+        [0, 1].map(|operand: usize| right[operand].wrapping_add(label[operand]) & self.0[operand])
+    }
 }
 
 /// The regions of a result, as far as they could be made, and the broken rule.
@@ -172,14 +180,12 @@ impl Extraction<'_> {
         let is_inside: Vec<bool> = self.windings.iter().map(holds).collect();
         let count = subdivision.edges().len();
         let marks = |edges: Range<usize>| {
-            let mut marks = Vec::with_capacity(2 * edges.len());
             let mark = |is_bound: bool| if is_bound { Mark::Bound } else { Mark::Inner };
-            for edge in edges {
-                let [left, right] = sides(subdivision, super::number(2 * edge));
-                let [left, right] = [is_inside[left], is_inside[right]];
-                marks.extend_from_slice(&[mark(left & !right), mark(!left & right)]);
-            }
-            marks
+            let both = |faces: &[u32; 2]| {
+                let [left, right] = faces.map(|face| is_inside[face as usize]);
+                [mark(left & !right), mark(!left & right)]
+            };
+            subdivision.sides()[edges].iter().map(both).collect::<Vec<_>>().into_flattened()
         };
         let marks = parallel::joined(parallel::ranges(count, &marks));
         let (walks, component) = parallel::two(count, || self.walks(marks), || self.components(&is_inside));
@@ -210,8 +216,8 @@ impl Extraction<'_> {
     fn components(&self, is_inside: &[bool]) -> Vec<u32> {
         let subdivision = &self.arrangement.subdivision;
         let mut component: Vec<u32> = (0..super::number(is_inside.len())).collect();
-        for half in (0..super::number(2 * subdivision.edges().len())).step_by(2) {
-            let faces = sides(subdivision, half);
+        for faces in subdivision.sides() {
+            let faces = faces.map(|face| face as usize);
             if is_inside[faces[0]] == is_inside[faces[1]] {
                 unite(&mut component, faces);
             }
@@ -328,18 +334,18 @@ impl Extraction<'_> {
 /// The regions that loops bound.
 fn regions_of(mut bounds: Vec<Bound>) -> Regions {
     let mut result = Regions::default();
-    // A region's outer loop comes before its holes. A loop begins at its first vertex.
-    let key = |(at, bound): (usize, &Bound)| {
-        (bound.region, bound.is_hole, bound.edges.first().map(|edge| edge.from), super::number(at))
-    };
-    let mut order: Vec<_> = bounds.iter().enumerate().map(key).collect();
+    // A region's outer loop comes before its holes. A loop begins at its first vertex. Faces have fewer than 31 bits.
+    let place = |bound: &Bound| u64::from(bound.region) << 1 | u64::from(bound.is_hole);
+    let first = |bound: &Bound| bound.edges.first().map_or(0, |edge| super::number(edge.from.index()));
+    let key = |bound: &Bound| place(bound) << 32 | u64::from(first(bound));
+    let mut order: Vec<(u64, u32)> = bounds.iter().map(key).zip(0..).collect();
     order.sort_unstable_by(|a, b| {
         let edges = |at: u32| &bounds[at as usize].edges;
-        (a.0, a.1, a.2).cmp(&(b.0, b.1, b.2)).then_with(|| edges(a.3).cmp(edges(b.3)))
+        a.0.cmp(&b.0).then_with(|| edges(a.1).cmp(edges(b.1)))
     });
-    for group in order.chunk_by(|a, b| a.0 == b.0) {
-        let mut loops = group.iter().map(|(.., at)| std::mem::take(&mut bounds[*at as usize].edges));
-        if group.iter().filter(|(_, is_hole, ..)| !is_hole).count() == 1 {
+    for group in order.chunk_by(|a, b| a.0 >> 33 == b.0 >> 33) {
+        let mut loops = group.iter().map(|(_, at)| std::mem::take(&mut bounds[*at as usize].edges));
+        if group.iter().filter(|(key, _)| key >> 32 & 1 == 0).count() == 1 {
             let outer = loops.next().unwrap_or_default();
             result.regions.push(Region { outer, holes: loops.collect() });
         } else {
