@@ -57,7 +57,7 @@ impl<'a> Space<'a> {
 pub struct Number<'a> {
     /// The limbs of the magnitude; the first and the last are nonzero.
     pub limbs: &'a [u64],
-    /// The place of the first limb.
+    /// The place of the first limb; 0 for zero.
     pub low: i32,
     /// True if the number is below zero; without meaning for zero.
     pub negative: bool,
@@ -169,6 +169,10 @@ impl<'a> Number<'a> {
         while let [0, rest @ ..] = limbs {
             limbs = rest;
             low += 1;
+        }
+        // Zero as a coordinate has the least exponent: its place would be the lowest of all.
+        if limbs.is_empty() {
+            return Number::ZERO;
         }
         Number { limbs, low, negative }
     }

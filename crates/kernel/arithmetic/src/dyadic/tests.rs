@@ -89,6 +89,15 @@ proptest! {
     }
 }
 
+/// Capacities count from the lowest place.
+#[test]
+fn zero_has_no_low_place() {
+    for (zero, shift) in [(0.0, 0), (-0.0, 58), (0.0, -2000)] {
+        let mut limbs = [0; 2];
+        assert_eq!(Number::scaled(&mut Space::new(&mut limbs), zero, shift).low, 0);
+    }
+}
+
 #[test]
 fn one_is_one() {
     assert!(Number::ONE.is_one() && !Number::ZERO.is_one());
