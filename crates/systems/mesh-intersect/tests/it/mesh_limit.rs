@@ -304,7 +304,7 @@ fn measures(
 #[test]
 fn contacts_of_cubes_are_counted() {
     let mut seen = [0; 3];
-    for seed in 0..predicament_effort::some_or_all(30, 3_000) {
+    for seed in 0..predicament_effort::some_or_all(30, 1_000) {
         let mut random = Random(seed + 1);
         let offset = [(); 3].map(|()| i64::from(random.whole(1) == 0.0));
         let first = Cubes::random(&mut random, 1, [0; 3], 3);
@@ -345,7 +345,7 @@ fn contacts_of_cubes_are_counted() {
 
 #[test]
 fn limits_of_cubes_are_their_cells() {
-    let (flaws, counts) = flaws(predicament_effort::some_or_all(24, 10_000));
+    let (flaws, counts) = flaws(predicament_effort::some_or_all(24, 2_000));
     assert!(flaws.is_empty(), "{} flaws, first: {}", flaws.len(), flaws[0]);
     let Counts { merged, flat, cancelled, covered, divided } = counts;
     assert!([merged, flat, cancelled, covered, divided].iter().all(|count| *count > 0), "{counts:?}");
