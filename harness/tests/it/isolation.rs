@@ -27,7 +27,7 @@ fn what_ends_the_process_costs_one_row() {
         ("overflows-stack", "panic", "crashed", "has overflowed its stack"),
         ("aborts", "panic", "crashed", "abort (signal 6): without a word"),
         ("exits", "panic", "crashed", "ended with code 0: without a word"),
-        ("hoards", "panic", "out of memory", "memory allocation of 17592186044416 bytes failed"),
+        ("hoards", "panic", "out of memory", "memory allocation of 4611686018427387903 bytes failed"),
     ] {
         let out = at(&folder, fault);
         let backends = format!("fault:{fault},exact");

@@ -36,7 +36,7 @@ fn a_process_that_dies_costs_its_row() {
     let outcomes = ["out of memory", "crashed", "crashed", "panic", "answered"];
     assert_eq!(column(&csv, "outcome"), outcomes, "{csv}");
     for said in [
-        "out of memory: memory allocation of 17592186044416 bytes failed",
+        "out of memory: memory allocation of 4611686018427387903 bytes failed",
         "crashed: abort (signal 6): without a word",
         "crashed: ended without a row",
         "panic: planted: a panic",

@@ -15,7 +15,7 @@ pub enum Deadly {
     OverflowsStack,
     /// The backend aborts.
     Aborts,
-    /// The backend requests 16 TB of memory.
+    /// The backend requests a quarter of all addresses, which are more than a system maps for a process.
     Hoards,
     /// The backend exits with code 0.
     Exits,
@@ -53,7 +53,7 @@ impl Deadly {
             Deadly::Aborts => std::process::abort(),
             Deadly::Exits => std::process::exit(0),
             Deadly::Hoards => {
-                let hoard: Vec<u8> = Vec::with_capacity(1 << 44);
+                let hoard: Vec<u8> = Vec::with_capacity(usize::MAX / 4);
                 panic!("planted: {} bytes were there", hoard.capacity());
             }
         }
