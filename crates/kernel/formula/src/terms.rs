@@ -81,7 +81,9 @@ impl Terms {
         Ok(terms)
     }
 
-    /// The terms if some points move together by (ε, ε², ε³, …), the perturbation of a whole mesh.
+    /// The terms if some points move together by η·(ε, ε², ε³, …), the perturbation of a whole mesh.
+    ///
+    /// As η is smaller than every power of ε, terms of a lower degree come first.
     ///
     /// Ties within the moved points, or within the others, stay: then the list is empty or has no constant.
     ///
@@ -97,15 +99,16 @@ impl Terms {
                 .collect();
             divisors(&moved, &mut products);
         }
-        let mut by_power: std::collections::BTreeMap<usize, Polynomial> = std::collections::BTreeMap::new();
+        let mut by_monomial: std::collections::BTreeMap<[usize; 2], Polynomial> = std::collections::BTreeMap::new();
         for reversed in products.into_iter().skip(1) {
             let powers: Vec<u8> = reversed.into_iter().rev().collect();
+            let degree = powers.iter().copied().map(usize::from).sum();
             let size = powers.iter().enumerate().map(|(at, &power)| usize::from(power) * (at % coordinates + 1)).sum();
             let coefficient = polynomial.taylor(&powers).ok_or("a coefficient of a term needs more than 128 bits")?;
-            let sum = by_power.entry(size).or_default();
+            let sum = by_monomial.entry([degree, size]).or_default();
             *sum = sum.sum(&coefficient).ok_or("a coefficient of a term needs more than 128 bits")?;
         }
-        let coefficients: Vec<Polynomial> = by_power.into_values().filter(|term| !term.is_empty()).collect();
+        let coefficients: Vec<Polynomial> = by_monomial.into_values().filter(|term| !term.is_empty()).collect();
         let programs = coefficients.iter().map(|term| program(term, coordinates)).collect();
         Ok(Terms { powers: Vec::new(), coefficients, programs })
     }

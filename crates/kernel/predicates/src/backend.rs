@@ -204,8 +204,8 @@ pub trait Predicates: Send + Sync {
 
     /// Returns true if the session perturbs the scene's [second mesh](Scene::with_second_mesh) as a whole.
     ///
-    /// It then answers as if exactly the vertices of that mesh had moved by (ε, ε², ε³), which changes nothing within a
-    /// mesh.
+    /// It then answers as if exactly the vertices of that mesh had moved by η·(ε, ε², ε³), with infinitesimals η and ε.
+    /// The first one is smaller than every power of the second. The move changes nothing within a mesh.
     fn moves_second_mesh(&self) -> bool {
         false
     }

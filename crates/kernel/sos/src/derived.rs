@@ -26,7 +26,7 @@ pub(crate) fn tie(scheme: Scheme, scene: &Scene, derived: Derived, vertices: &[V
     first(&terms.unwrap_or_else(|why| panic!("{why}")), scene, derived, &vertices, turns)
 }
 
-/// The sign of a tie if the second mesh moves by (ε, ε², ε³), and the place of the deciding power.
+/// The sign of a tie if the second mesh moves by η·(ε, ε², ε³), and the place of the deciding power.
 pub(crate) fn moved_tie(
     second: &[bool],
     scene: &Scene,

@@ -1,12 +1,13 @@
 //! A perturbation that moves one of two meshes as a whole.
 //!
 //! PinMesh and 3D-EPUG-Overlay (Magalhães, Franklin and Andrade) move one of their meshes by (ε, ε², ε³) and leave the
-//! other in place. Then nothing between the two is degenerate, and each keeps its own coplanar faces, as it is moved as
-//! a whole. Ties within one mesh are not broken.
+//! other in place. Here the move is η·(ε, ε², ε³), with η smaller than every power of ε, so that no answer depends on
+//! the unit of length (see `constructed/rigid.rs`). Then nothing between the two is degenerate, and each keeps its own
+//! coplanar faces, as it is moved as a whole. Ties within one mesh are not broken.
 //!
-//! The determinants are exact polynomials in one ε, so there is no search and no guess. In ε³ = ε · ε² infinitesimals
-//! collide; their coefficients add up. If one input vertex of one mesh meets those of the other, the polynomial is
-//! linear: see `shift.rs`.
+//! The determinants are exact polynomials in η and ε, so there is no search and no guess. In η²·ε²·ε² = η²·ε·ε³
+//! infinitesimals collide; their coefficients add up. If one input vertex of one mesh meets those of the other, the
+//! polynomial is linear: see `shift.rs`.
 
 use predicament_exact::Exact;
 use predicament_exact::constructed::{EXACT as CONSTRUCTED, FILTER};
@@ -20,7 +21,9 @@ use crate::constructed::{self, corner, fixed, rigid};
 use crate::derived;
 use crate::shift::{self, PlaneTies};
 
-/// Simulation of Simplicity between two meshes: the second has moved by (ε, ε², ε³).
+/// Simulation of Simplicity between two meshes: the second has moved by η·(ε, ε², ε³).
+///
+/// Both are infinitesimals, and η is smaller than every power of ε.
 ///
 /// The answer is zero if a determinant is zero however far the mesh moves: about vertices of one mesh, and about
 /// directions that both meshes have. The backend declines scenes without [two meshes](Scene::with_second_mesh).

@@ -3,7 +3,7 @@
 //!
 //! A determinant of differences is linear in a translation (δx, δy, δz) of one of its points, and a translation of all
 //! others equals the opposite translation of that one. So with one vertex of one mesh and the rest of the other, the
-//! first nonzero derivative breaks the tie: with δ = (ε, ε², ε³), by x, y, z in turn. Derivatives of `orient2d` are
+//! first nonzero derivative breaks the tie: with δ = η·(ε, ε², ε³), by x, y, z in turn. Derivatives of `orient2d` are
 //! differences of coordinates, those of `orient3d` are `orient2d` of the other three vertices. With p, q of one mesh
 //! and u, v of the other, det(p − v, q − v, u − v) changes by δ · ((q − p) × (v − u)) as u and v move by δ, and by
 //! nothing more.

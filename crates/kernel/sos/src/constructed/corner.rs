@@ -4,8 +4,7 @@
 //! have a vertex in common. Let a line with direction u and a plane with normal n pass through a vertex P. As the
 //! second mesh moves by δ, their common point moves to P + m·δ + s·u·(n·δ)/w, with w = n·u, and m and s as in
 //! [`super::fixed`].
-//! With δ = (ε, ε², ε³) each coordinate is a cubic polynomial in ε with the input's constant, and a turn of three such
-//! points has degree 6.
+//! Each coordinate is linear in δ with the input's constant, and a turn of three such points has degree 2.
 //!
 //! The constant of the turn is the turn of input vertices, which is exact. The other coefficients are computed in
 //! doubles with a bound on their errors. The first one that is not zero decides, if its sign is certain and all before
@@ -14,6 +13,8 @@
 
 use predicament_exact::Session;
 use predicament_predicates::{Construction, Dimension, Off, Plane, Predicates, Scene, Sign, Vertex};
+
+use super::fixed::{OF_TURN, factors};
 
 /// The turn of three points, and the deciding power of ε, 0 if no move is needed.
 ///
@@ -47,13 +48,13 @@ pub(crate) fn orient2d(
     let axes = plane.axes().map(|axis| axis.index());
     let [p, q, r] = [a.moved(exact, axes)?, b.moved(exact, axes)?, c.moved(exact, axes)?];
     let [[x, y], [z, w]] = [less(&q, &p), less(&r, &p)];
-    for power in 1..=6_usize {
+    for &monomial in &OF_TURN[1..] {
         let mut sum = Near::ZERO;
-        for at in power.saturating_sub(3)..=power.min(3) {
-            sum = sum.plus(x[at].times(w[power - at])).minus(y[at].times(z[power - at]));
+        for [at, other] in factors(monomial) {
+            sum = sum.plus(x[at].times(w[other])).minus(y[at].times(z[other]));
         }
         if !sum.is_zero() {
-            return Some((sum.sign()?, power));
+            return Some((sum.sign()?, monomial[1]));
         }
     }
     None
@@ -105,7 +106,7 @@ impl Corner {
         None
     }
 
-    /// Two coordinates as polynomials in ε; `None` if the line could be in the plane for all that doubles tell.
+    /// Two coordinates with their derivatives by δ; `None` if the line could be in the plane for all that doubles tell.
     #[inline]
     fn moved(&self, exact: &Session<'_, Off>, axes: [usize; 2]) -> Option<[[Near; 4]; 2]> {
         let mut along = [[Near::ZERO; 4]; 2];

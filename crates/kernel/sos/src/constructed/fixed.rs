@@ -2,9 +2,9 @@
 //!
 //! Where the line through p with direction u meets the plane with normal n through a, the point is p + u·N/w with N =
 //! n·(a − p) and w = n·u. As the second mesh moves by δ, the point moves by m·δ + s·u·(n·δ)/w, with m = 1 if the line
-//! moves and 0 if not, and s the same of the plane, minus m. Nothing here is quadratic, so with δ = (ε, ε², ε³) a
-//! coordinate times w is the constant w·p + N·u, and three derivatives. A question is a polynomial in ε: of two
-//! coordinates with the powers up to 3, of a turn with those up to 6. The first nonzero coefficient decides.
+//! moves and 0 if not, and s the same of the plane, minus m. Nothing here is quadratic, so a coordinate times w is the
+//! constant w·p + N·u, and three derivatives. A question is a polynomial in δ (see [`rigid`](super::rigid)): of two
+//! coordinates with the degree 1, of a turn with the degree 2. The first nonzero coefficient decides.
 //!
 //! # The number of limbs
 //! Coordinates are relative to a vertex of the question, in units of a power of two. With these below 2^b and B = b +
@@ -240,25 +240,34 @@ fn minus<const A: usize>(a: Point<A>, b: Point<A>) -> Point<A> {
     [a[0].minus(b[0]), a[1].minus(b[1]), a[2].minus(b[2])]
 }
 
+/// The monomials of a turn, the largest first: their degrees in δ, and their powers of ε.
+pub(super) const OF_TURN: [[usize; 2]; 9] = [[0, 0], [1, 1], [1, 2], [1, 3], [2, 2], [2, 3], [2, 4], [2, 5], [2, 6]];
+
+/// The powers of two coordinates whose product is a monomial of a turn.
+#[inline(always)]
+pub(super) fn factors([degree, power]: [usize; 2]) -> impl Iterator<Item = [usize; 2]> {
+    let pairs = (power.saturating_sub(3)..=power.min(3)).map(move |at| [at, power - at]);
+    pairs.filter(move |pair| pair.iter().filter(|power| **power > 0).count() == degree)
+}
+
 #[inline(never)]
 fn order<const C: usize, const D: usize, const G: usize>([a, b]: &[Row<C, D, 1>; 2]) -> Option<(Sign, usize)> {
     let power = |power: usize| -> Fixed<G> {
         a.along[0][power].times::<C, G>(b.weight).minus(b.along[0][power].times(a.weight))
     };
-    first(4, power).map(|(sign, power)| (sign * sign_of(a.weight) * sign_of(b.weight), power))
+    first(0..4, power).map(|(sign, power)| (sign * sign_of(a.weight) * sign_of(b.weight), power))
 }
 
 #[inline(never)]
 fn turn<const C: usize, const D: usize, const E: usize, const F: usize>(
     rows: &[Row<C, D, 2>; 3],
 ) -> Option<(Sign, usize)> {
-    let power = |power: usize| -> Fixed<F> {
+    let coefficient = |monomial: [usize; 2]| -> Fixed<F> {
         let mut sum = Fixed::ZERO;
         for (i, j, k) in [(0, 1, 2), (1, 2, 0), (2, 0, 1)] {
             let ([x, y], [z, w]) = (&rows[i].along, &rows[j].along);
             let mut minor: Fixed<E> = Fixed::ZERO;
-            for at in power.saturating_sub(3)..=power.min(3) {
-                let other = power - at;
+            for [at, other] in factors(monomial) {
                 if !x[at].is_zero() && !w[other].is_zero() {
                     minor = minor.plus(x[at].times::<D, E>(w[other]));
                 }
@@ -271,15 +280,18 @@ fn turn<const C: usize, const D: usize, const E: usize, const F: usize>(
         sum
     };
     let weights = rows.iter().fold(Sign::Positive, |sign, row| sign * sign_of(row.weight));
-    first(7, power).map(|(sign, power)| (sign * weights, power))
+    first(OF_TURN, coefficient).map(|(sign, [_, power])| (sign * weights, power))
 }
 
-/// The first nonzero one of `count` coefficients.
+/// The sign of the first nonzero coefficient, and its monomial.
 #[inline(always)]
-fn first<const L: usize>(count: usize, coefficient: impl Fn(usize) -> Fixed<L>) -> Option<(Sign, usize)> {
-    (0..count).find_map(|power| {
-        let coefficient = coefficient(power);
-        (!coefficient.is_zero()).then(|| (sign_of(coefficient), power))
+fn first<M: Copy, const L: usize>(
+    monomials: impl IntoIterator<Item = M>,
+    coefficient: impl Fn(M) -> Fixed<L>,
+) -> Option<(Sign, M)> {
+    monomials.into_iter().find_map(|monomial| {
+        let coefficient = coefficient(monomial);
+        (!coefficient.is_zero()).then(|| (sign_of(coefficient), monomial))
     })
 }
 

@@ -3,8 +3,8 @@
 //! A rigid move δ of a mesh changes no direction. So the weight of such a vertex, which is a product of directions, is
 //! a constant, and its coordinates are linear in δ. Where the line p, q meets the plane with normal n through a, the
 //! distances n·(p − a) and n·(q − a) both change by n·δ, and the quadratic terms of p·(n·(q − a)) − q·(n·(p − a))
-//! cancel. With δ = (ε, ε², ε³) a coordinate is four integers, and a determinant has degree 9 at most, whereas that of
-//! general constructions has up to 84.
+//! cancel. So a coordinate is four integers, and a determinant has degree 3 at most in δ, whereas that of general
+//! constructions has up to 28. The monomials are those of [`rigid`](super::rigid).
 
 use predicament_predicates::{Axis, Construction, Question, Scene, Share, Sign, Vertex};
 
@@ -13,7 +13,9 @@ use super::place::Place;
 use super::search::integers;
 use crate::integer::Integer;
 
-/// A polynomial in ε: its coefficients from the constant on.
+/// A polynomial in δ: its coefficients, those of larger monomials first.
+///
+/// The 2·d + 1 monomials of degree d begin at the place d²: the powers of ε from d to 3·d.
 type Series = Vec<Integer>;
 /// The coordinates of a vector, or of a point.
 type Space = [Integer; 3];
@@ -52,10 +54,11 @@ pub(super) fn decide(
         (Question::Orient3d, [_, _, _, _]) => side(&rows),
         _ => return None,
     };
-    let power = series.iter().position(|coefficient| !coefficient.is_zero());
-    Some(power.map(|power| {
-        let sign = rows.iter().fold(Sign::from(series[power].cmp0()), |sign, row| sign * row.weight.cmp0().into());
-        (sign, power)
+    let place = series.iter().position(|coefficient| !coefficient.is_zero());
+    Some(place.map(|place| {
+        let sign = rows.iter().fold(Sign::from(series[place].cmp0()), |sign, row| sign * row.weight.cmp0().into());
+        let degree = place.isqrt();
+        (sign, place - degree * degree + degree)
     }))
 }
 
@@ -188,7 +191,7 @@ impl Row {
         Row { at: [[x, a, b, c], [y, d, e, f], [z, g, h, i]], weight }
     }
 
-    /// A coordinate times the weight, as a polynomial in ε.
+    /// A coordinate times the weight, as a polynomial in δ.
     fn series(&self, axis: Axis) -> Series {
         self.at[axis.index()].to_vec()
     }
@@ -219,10 +222,14 @@ fn cross(a: &Space, b: &Space) -> Space {
 }
 
 fn times(a: &Series, b: &Series) -> Series {
-    let mut product = vec![Integer::ZERO; (a.len() + b.len()).saturating_sub(1)];
+    let [degree, other] = [a, b].map(|series| (series.len() - 1).isqrt());
+    let mut product = vec![Integer::ZERO; (degree + other + 1).pow(2)];
     for (i, a) in a.iter().enumerate().filter(|(_, a)| !a.is_zero()) {
         for (j, b) in b.iter().enumerate() {
-            product[i + j].add_product(a, b);
+            let [degree, other] = [i, j].map(usize::isqrt);
+            // The powers of ε beyond those of the degrees.
+            let more = i - degree * degree + j - other * other;
+            product[(degree + other).pow(2) + more].add_product(a, b);
         }
     }
     product

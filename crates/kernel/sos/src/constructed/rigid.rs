@@ -1,7 +1,12 @@
 //! Ties between two meshes, one of which has moved as a whole.
 //!
-//! The second mesh moves by (ε, ε², ε³). There is only one infinitesimal, so whole polynomials are affordable: they are
-//! cut off at a power that most ties don't reach, then at larger ones, up to the largest possible power.
+//! The second mesh moves by δ = η·(ε, ε², ε³), where η is smaller than every power of ε. So a monomial is the larger
+//! the lower its degree is in δ, and of one degree the lower its power of ε is. Without η, ε³ and ε·ε² are equal though
+//! their degrees differ, and the sign of their sum depends on the unit of length: two questions about one scene could
+//! contradict each other, as each computes in a unit of its own.
+//!
+//! There are only two infinitesimals, so whole polynomials are affordable: they are cut off at a degree that most ties
+//! don't reach, then at larger ones, up to the largest possible degree.
 
 use predicament_predicates::{Question, Scene, Sign, Vertex};
 
@@ -13,11 +18,11 @@ use super::series::{Cut, Number, Series};
 use super::{Determinant, Weight};
 use crate::integer::Integer;
 
-/// The powers at which polynomials are cut off, one after the other.
+/// The degrees in δ at which polynomials are cut off, one after the other.
 ///
-/// About input vertices the largest power is 12: ε, ε², ε³ and the square of ε³ in the four columns of spheres. Four
-/// points of three planes each have products of 4 · 7 coordinates, each with ε³ at most.
-const POWERS: [usize; 3] = [3, 12, 84];
+/// About input vertices the largest degree is 5, that of the four columns of spheres. Four points of three planes each
+/// have products of 4 · 7 coordinates.
+const DEGREES: [usize; 3] = [1, 5, 28];
 
 /// The side of a tie, and the deciding power of ε; `None` if the determinant is zero however far the second mesh moves.
 ///
@@ -56,31 +61,31 @@ struct Rigid<'q> {
 
 impl Rigid<'_> {
     fn leading(&self, expression: &impl Expression) -> Option<(Sign, usize)> {
-        let powers = if self.constructed { &POWERS[..] } else { &POWERS[..2] };
-        powers.iter().find_map(|&largest| {
-            let series = self.series(expression, largest);
-            let power = series.iter().position(|coefficient| !coefficient.is_zero())?;
-            Some((series[power].cmp0().into(), power))
+        let degrees = if self.constructed { &DEGREES[..] } else { &DEGREES[..2] };
+        degrees.iter().find_map(|&largest| {
+            let cut = Cut::new([largest, 2 * largest]);
+            let series = self.series(expression, &cut);
+            let monomials = (0..=largest).flat_map(|degree| (0..=2 * degree).map(move |more| [degree, more]));
+            monomials.into_iter().find_map(|[degree, more]| {
+                let coefficient = &series[cut.place(0, degree)? + cut.place(1, more)?];
+                (!coefficient.is_zero()).then(|| (coefficient.cmp0().into(), degree + more))
+            })
         })
     }
 
-    fn series(&self, expression: &impl Expression, largest: usize) -> Series<Integer> {
-        let cut = Cut::new([largest]);
+    /// The polynomial in the length of δ and in ε, whose powers are counted beyond those of the degree.
+    fn series(&self, expression: &impl Expression, cut: &Cut) -> Series<Integer> {
         let dimension = self.scene.dimension().count();
         let coordinate = |(at, (m, k)): (usize, (i64, u32))| {
-            let mut series = Series::constant(&cut, Integer::from(m) << k);
+            let mut series = Series::constant(cut, Integer::from(m) << k);
             if self.second[self.inputs[at / dimension].index()] {
-                series[at % dimension + 1] += &Integer::ONE;
+                let places = [cut.place(0, 1), cut.place(1, at % dimension)];
+                series[places.into_iter().flatten().sum::<usize>()] += &Integer::ONE;
             }
             series
         };
         let (_, coordinates) = integers(self.scene, self.inputs);
         let coordinates: Vec<_> = coordinates.into_iter().enumerate().map(coordinate).collect();
-        expression.of(&Moved {
-            dimension: self.scene.dimension(),
-            cut: &cut,
-            inputs: self.inputs,
-            coordinates: &coordinates,
-        })
+        expression.of(&Moved { dimension: self.scene.dimension(), cut, inputs: self.inputs, coordinates: &coordinates })
     }
 }

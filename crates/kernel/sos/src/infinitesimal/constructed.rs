@@ -117,12 +117,12 @@ impl<'q> Asked<'q> {
         })
     }
 
-    /// Some vertices moved as a whole, by (ε, ε², ε³): a monomial's key is its power of ε.
+    /// Some vertices moved as a whole, by η·(ε, ε², ε³): a monomial's key is its degree in η, then its power of ε.
     fn rigidly(&self, moving: &[bool]) -> Points<Polynomial> {
         self.points(|at, axis, x| {
             let mut moved = Polynomial::constant(x.clone());
             if moving[self.vertices[at].index()] {
-                moved.push(axis as u128 + 1);
+                moved.push((1 << 64) + axis as u128 + 1);
             }
             moved
         })
@@ -257,7 +257,9 @@ pub(super) fn judge(scene: &Scene, question: Question, args: &[Vertex]) -> Sign 
     asked.sign(|part| asked.slight_sign(part, &still))
 }
 
-/// The sign after the second of two meshes has moved by (ε, ε², ε³); zero if it is zero however far that mesh moves.
+/// The sign after the second of two meshes has moved by η·(ε, ε², ε³), with η smaller than every power of ε.
+///
+/// Zero if it is zero however far that mesh moves.
 ///
 /// # Panics
 /// If the scene does not have two meshes.

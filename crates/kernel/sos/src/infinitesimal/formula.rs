@@ -134,12 +134,13 @@ fn by_largest(active: usize, scheme: Scheme, scene: &Scene, derived: Derived, ve
     })
 }
 
-/// The sign of a formula if the vertices of the second mesh have moved by (ε, ε², ε³); a weight is the next coordinate.
+/// The sign of a formula if the vertices of the second mesh have moved by η·(ε, ε², ε³), with η smaller than every
+/// power of ε; a weight is the next coordinate.
 pub(super) fn judge_per_mesh(scene: &Scene, derived: Derived, vertices: &[Vertex]) -> Sign {
     let second = scene.second_mesh().unwrap_or_default();
     moved(scene, derived, vertices, |argument, axis| {
         let moves = second.get(vertices[argument].index()).copied().unwrap_or(false);
-        moves.then(|| smallvec![u8::try_from(axis + 1).unwrap_or(u8::MAX)])
+        moves.then(|| smallvec![1, u8::try_from(axis + 1).unwrap_or(u8::MAX)])
     })
 }
 

@@ -133,6 +133,75 @@ fn lines_and_planes_of_one_mesh_move_as_one() {
 }
 
 /// The first nonzero derivative decides: that by x, y or z.
+/// In units of the least coordinate, terms of different degrees in the move change their proportion.
+///
+/// The turn of the first scene is −2·ε³ + ε·ε² + ε⁴ if the move is (ε, ε², ε³).
+#[test]
+fn no_answer_depends_on_the_unit_of_length() {
+    let v = Vertex::input;
+    let units = [1.0, 2.0, 0.25, 2f64.powi(300), 2f64.powi(-700)];
+    let points = [
+        [1.0, 1.0, 1.0],
+        [1.0, -1.0, 1.0],
+        [1.0, -1.0, -1.0],
+        [-1.0, 1.0, 1.0],
+        [1.0, -1.0, 1.0],
+        [-1.0, -1.0, -1.0],
+        [-1.0, 1.0, 1.0],
+    ];
+    let turns = units.map(|unit| {
+        let points = points.map(|point| point.map(|x| x * unit));
+        let mut scene = Scene::from_points3(&points).unwrap().with_second_mesh([4, 5, 6].map(v));
+        let meet = scene.construct(Construction::Lpi { line: [v(4), v(5)], plane: [v(1), v(2), v(3)] }).unwrap();
+        let session = PerMesh.prepare(&scene, Off).unwrap();
+        ask_antisymmetric(&session, Question::Orient2d(Plane::Yz), &[v(0), meet, v(6)])
+    });
+    assert_eq!(turns, [Sign::Negative; 5]);
+
+    let (mut random, mut ties) = (Random(24), 0);
+    for _ in 0..predicament_effort::scaled(600) {
+        let numbers = random.numbers(27, 14);
+        let seed = random.below(usize::MAX);
+        let answers = units.map(|unit| {
+            let mut random = Random(seed as u64);
+            let coordinates = grid_scene(3, 3, &numbers).coordinates().iter().map(|x| x * unit).collect();
+            let mut scene = common::scene(3, coordinates).unwrap().with_second_mesh((7..14).map(v));
+            let mut flat = |from: usize| args(&mut random, 7, 3).into_iter().map(move |at| v(from + at.index()));
+            let mut points = vec![v(0), v(6), v(7), v(13)];
+            for from in [0, 7, 0, 7] {
+                let (line, plane): (Vec<Vertex>, Vec<Vertex>) =
+                    (flat(from).take(2).collect(), flat(7 - from).collect());
+                let of = Construction::Lpi { line: line.try_into().unwrap(), plane: plane.try_into().unwrap() };
+                let mut with = scene.clone();
+                let meet = with.construct(of).unwrap();
+                if PerMesh.prepare(&with, Off).is_ok() {
+                    scene = with;
+                    points.push(meet);
+                }
+            }
+            let (exact, session) = (Exact.prepare(&scene, Off).unwrap(), PerMesh.prepare(&scene, Off).unwrap());
+            let mut signs = Vec::new();
+            for question in questions(3) {
+                if matches!(question, Question::Incircle | Question::Insphere) {
+                    continue;
+                }
+                for _ in 0..6 {
+                    let mut left = points.clone();
+                    let mut one = || left.swap_remove(random.below(left.len()));
+                    let args: Vec<Vertex> = (0..question.kind().arity()).map(|_| one()).collect();
+                    let sign = question.ask(&session, &args);
+                    assert_eq!(sign, judge_per_mesh(&scene, question, &args), "{question:?} of {args:?} in {scene:?}");
+                    ties += usize::from(question.ask(&exact, &args).is_zero() && !sign.is_zero());
+                    signs.push(sign);
+                }
+            }
+            signs
+        });
+        assert!(answers.iter().all(|signs| *signs == answers[0]), "{answers:?} of {numbers:?} by {seed}");
+    }
+    assert!(ties > 500, "{ties}");
+}
+
 #[test]
 fn ties_are_counted_by_the_power_that_decides() {
     // Three points of each coordinate plane, with the origin, and a point of the other mesh on all three planes.

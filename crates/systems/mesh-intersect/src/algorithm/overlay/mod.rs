@@ -19,9 +19,9 @@
 //!
 //! # Zeros
 //! The algorithm is for meshes between which nothing is degenerate, as under Simulation of Simplicity; in the paper one
-//! mesh moves by (ε, ε², ε³), which is `sos:per-mesh` here. If a session returns zero where an edge and a triangle
-//! touch, the overlay goes over to all cases of contact ([`Zeros::Zero`], `touching`), or the zero can count as
-//! positive ([`Zeros::Positive`]), as in programs that compare with `>=`. A session that registers contacts has a
+//! mesh moves by (ε, ε², ε³), nearly as under `sos:per-mesh` here. If a session returns zero where an edge and a
+//! triangle touch, the overlay goes over to all cases of contact ([`Zeros::Zero`], `touching`), or the zero can count
+//! as positive ([`Zeros::Positive`]), as in programs that compare with `>=`. A session that registers contacts has a
 //! separate function ([`mesh_overlay_registered`]). Between two vertices, edges or triangles of one mesh, only the
 //! order of triangles around an edge and the plane that a triangle is seen in are tested: each mesh may have coplanar
 //! triangles.

@@ -5,11 +5,11 @@
 //! coordinates, and sets them aside if that can be decided without a tie.
 //!
 //! # What is set aside
-//! Let S be the surface of one mesh, and S + δ the same surface in the other, δ = (ε, ε², ε³) or its opposite.
+//! Let S be the surface of one mesh, and S + δ the same surface in the other, δ = η·(ε, ε², ε³) or its opposite.
 //!
 //! - *Around a vertex.* Seen along x, the triangles around it all turn the same way and go around it once: they are a
 //!   graph over a polygon of the yz plane. Its x differs by at most some L times the distance in that plane; moved by δ
-//!   it is above itself by at least ε − L(ε² + ε³), and does not meet itself. Two triangles that have a corner in
+//!   it is above itself by at least η·(ε − L(ε² + ε³)), and does not meet itself. Two triangles that have a corner in
 //!   common are both around that corner.
 //! - *Elsewhere.* An edge and a triangle that are apart are apart after a small enough move. A triangle is set aside
 //!   only if it is apart from all other such triangles that it has no corner in common with ([`apart`]). Large parts of
