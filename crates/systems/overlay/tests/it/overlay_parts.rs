@@ -151,3 +151,24 @@ fn results_in_which_most_edges_meet_nothing_are_those_of_whole_overlays() {
     }
     assert!(holes > 8 * rounds, "{holes} holes");
 }
+
+/// Tests a loop whose leftmost vertex is the end of a spike back on itself: without the spike, the leftmost vertex is
+/// among edges that meet nothing.
+#[test]
+fn results_without_the_edges_that_cancel_are_those_of_whole_overlays() {
+    // A square on its corner, from the upper corner on, and the end of the spike.
+    let around = (0..160).map(|at| [(at + 120) % 160, at].map(|at: i32| f64::from((at - 80).abs() - 40)));
+    let points: Vec<[f64; 2]> = around.chain([[-60.0, 40.0]]).collect();
+    let scene = Scene::from_points2(&points).unwrap();
+    let there: Vec<Vertex> = [0, 160].into_iter().chain(0..160).map(Vertex::input).collect();
+    let back: Vec<Vertex> = there.iter().rev().copied().collect();
+    for vertices in [there, back] {
+        let polygon = Polygon::of_vertices(&[vertices], Rule::NonZero);
+        let operands = [&polygon, &Polygon::default()];
+        let mut sessions = [Exact.prepare(&scene, Off).unwrap(), Exact.prepare(&scene, Off).unwrap()];
+        let whole = overlay(&mut sessions[0], operands, Method::Grid).unwrap().regions(Operation::Union);
+        let found = operate(&mut sessions[1], operands, Operation::Union, Method::Grid).unwrap();
+        assert_eq!(found, whole);
+        assert_eq!(found.regions.iter().map(|region| region.outer.len()).collect::<Vec<_>>(), [160]);
+    }
+}

@@ -6,7 +6,6 @@
 //! can touch: corners in one point are taken in the order in which the line passes them, and may be joined by an edge
 //! without length. Where two loops have an edge in common both counts are odd, and nothing is to be split.
 
-use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
 use predicament_mesh::half_edge::{Face, HalfEdge, MeshVertex, OperationError};
@@ -22,6 +21,8 @@ use predicament_grid::sort::sort_by_sign;
 #[derive(Clone, Copy)]
 struct Corner {
     at: HalfEdge,
+    /// The half-edge that arrives from another point: `at`, or the one before the edges without length that end there.
+    first: HalfEdge,
     before: Sign,
     after: Sign,
     /// The number of its edges on the line ahead, less those behind.
@@ -66,7 +67,8 @@ impl Cutter<'_> {
                     Sign::Positive => above = Some(self.mesh.end(h)),
                     Sign::Zero => {
                         let [before, after] = [self.mesh.start(h), self.mesh.end(self.mesh.next(h))];
-                        corners.push(Corner { at: h, before: self.sign(before), after: self.sign(after), ahead: 0 });
+                        let [before, after] = [before, after].map(|v| self.sign(v));
+                        corners.push(Corner { at: h, first: h, before, after, ahead: 0 });
                     }
                 }
             }
@@ -149,9 +151,10 @@ impl Cutter<'_> {
         for &end in ends {
             let mut here = corners[start..end].to_vec();
             start = end;
+            self.merge(&mut here);
             let alone = here.len() == 1;
             while !here.is_empty() {
-                let corner = here.remove(next_in_point(&here, up));
+                let corner = here.remove(next_in_point(&here, from.is_some(), up));
                 let arrived = match from {
                     // A corner in one point with others, which the line does not pass through.
                     Some(_) if !alone && !self.may_open(split, &corner) => continue,
@@ -173,6 +176,23 @@ impl Cutter<'_> {
         if inside == [false; 2] { Ok(()) } else { Err(Halt::Broken(Contradiction::Crossings)) }
     }
 
+    /// Merges corners in one point that edges without length join.
+    fn merge(&self, here: &mut Vec<Corner>) {
+        let mut at = 0;
+        while at < here.len() {
+            let next = self.mesh.next(here[at].at);
+            match here.iter().position(|other| other.first == next).filter(|&other| other != at) {
+                Some(other) => {
+                    let Corner { before, first, ahead, .. } = here[at];
+                    let ahead = here[other].ahead + ahead;
+                    here[other] = Corner { before, first, ahead, ..here[other] };
+                    here.remove(at);
+                }
+                None => at += 1,
+            }
+        }
+    }
+
     /// True if the line may pass through the inside at a corner; false if the corner touches the line with a convex
     /// angle.
     fn may_open(&self, split: &Split, corner: &Corner) -> bool {
@@ -180,7 +200,7 @@ impl Cutter<'_> {
             return true;
         }
         let [a, b, c] =
-            [self.mesh.start(corner.at), self.mesh.end(corner.at), self.mesh.end(self.mesh.next(corner.at))]
+            [self.mesh.start(corner.first), self.mesh.end(corner.at), self.mesh.end(self.mesh.next(corner.at))]
                 .map(|v| self.mesh.scene_vertex(v));
         self.turn(split, [a, b], c) == Sign::Negative
     }
@@ -240,12 +260,17 @@ impl Cutter<'_> {
     }
 }
 
-/// The index of the corner that the line passes next, among corners in one point: of those that it comes from, along
-/// an edge or through the inside; then of those that only touch it; then of those that it goes on to.
-fn next_in_point(here: &[Corner], up: Sign) -> usize {
+/// The index of the corner that the line passes next, among corners in one point.
+///
+/// Corners with an edge behind come first. Then the line leaves the inside, if it is there; otherwise it enters first:
+/// the inside may be as narrow as a point between the two corners. Corners that it only touches come later, and corners
+/// with an edge ahead after others of their kind.
+fn next_in_point(here: &[Corner], is_inside: bool, up: Sign) -> usize {
     let rank = |&at: &usize| {
-        let [before, after] = [here[at].before * up, here[at].after * up];
-        if here[at].ahead < 0 { Ordering::Less } else { before.cmp(&after) }
+        let Corner { before, after, ahead, .. } = here[at];
+        // Less if the line leaves the inside here, greater if it enters.
+        let way = (before * up).cmp(&(after * up));
+        (ahead >= 0, if is_inside { way } else { way.reverse() }, ahead)
     };
     (0..here.len()).min_by_key(rank).unwrap_or(0)
 }

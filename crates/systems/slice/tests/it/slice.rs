@@ -154,6 +154,23 @@ fn combs_by_planes_through_their_corners() {
     check(|seed| comb(2 + i32::try_from(seed % 4).unwrap()));
 }
 
+/// Tests caps with several corners in one point: the inside between two of them has no width there, or an edge without
+/// length joins them, which an earlier plane has made.
+#[test]
+fn a_cap_with_several_corners_in_a_point_is_split_there() {
+    let cases: [(i32, &[[usize; 3]]); 3] = [
+        (3, &[[15, 4, 20], [18, 8, 23]]),
+        (3, &[[11, 18, 3], [5, 0, 4], [19, 12, 3], [18, 11, 5], [18, 13, 23], [21, 16, 4]]),
+        (2, &[[11, 5, 1], [7, 13, 15], [0, 9, 12], [14, 7, 5]]),
+    ];
+    for (teeth, planes) in cases {
+        let shape = comb(teeth);
+        let sliced = shape.sliced(&mut Exact.prepare(&shape.scene(), Off).unwrap(), planes).unwrap();
+        assert_eq!(sliced.broken, None, "{planes:?}");
+        check_closed(&sliced);
+    }
+}
+
 #[test]
 fn lattices_by_planes_through_their_vertices() {
     check(|seed| lattice(1 + u32::try_from(seed % if predicament_effort::whole() { 3 } else { 2 }).unwrap()));

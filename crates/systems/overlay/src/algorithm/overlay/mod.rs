@@ -179,7 +179,9 @@ pub fn overlay(session: &mut dyn Predicates, operands: [&Polygon; 2], method: Me
     for (operand, polygon) in operands.into_iter().enumerate() {
         edges.extend(polygon.loops.iter().flatten().map(|&edge| (edge, operand)));
     }
-    overlaid(session, edges, Vec::new(), rules, method)
+    let supports = supported(&*session, &edges, rules);
+    drop(edges);
+    overlaid(session, supports, Vec::new(), rules, method)
 }
 
 /// The result of an operation on two polygons: the same as by [`overlay`], but edges that meet nothing are copied.
@@ -195,9 +197,12 @@ pub fn operate(
     operation: Operation,
     method: Method,
 ) -> Result<Regions, Refused> {
-    let made = match lonely::divide(&*session, operands) {
-        Some((edges, runs)) => overlaid(session, edges, runs, operands.map(|polygon| polygon.rule), method)?,
-        None => overlay(session, operands, method)?,
+    let rules = operands.map(|polygon| polygon.rule);
+    let divided = lonely::divide(&*session, operands);
+    let made = match divided.map(|(edges, runs)| (supported(&*session, &edges, rules), runs)) {
+        // Without the edges that cancel, the leftmost vertex of a component may be inside a run.
+        Some((supports, runs)) if supports.are_all => overlaid(session, supports, runs, rules, method)?,
+        _ => overlay(session, operands, method)?,
     };
     let mut result = made.regions(operation);
     result.broken = made.arrangement.broken.or(result.broken);
@@ -242,8 +247,11 @@ pub fn combine_next(
 ) -> Result<Regions, Refused> {
     let far::Split { near, runs, apart } = far::split(&*session, known, first, second);
     let edges = near.into_iter().map(|edge| (edge, 0));
-    let edges = edges.chain(second.loops.iter().flatten().map(|&edge| (edge, 1))).collect();
-    let made = overlaid(session, edges, runs, [Rule::NonZero, second.rule], method)?;
+    let edges: Vec<(Edge, usize)> = edges.chain(second.loops.iter().flatten().map(|&edge| (edge, 1))).collect();
+    let rules = [Rule::NonZero, second.rule];
+    let supports = supported(&*session, &edges, rules);
+    drop(edges);
+    let made = overlaid(session, supports, runs, rules, method)?;
     let apart = if operation.holds([true, false]) { apart } else { Vec::new() };
     let mut result = made.beside(operation, Some((session.scene(), &apart)));
     result.broken = made.arrangement.broken.or(result.broken);
@@ -252,22 +260,25 @@ pub fn combine_next(
     Ok(result)
 }
 
-/// Overlays edges, each of one of two operands, and runs of the first.
-fn overlaid(
-    session: &mut dyn Predicates,
-    edges: Vec<(Edge, usize)>,
-    runs: Vec<Run>,
-    rules: [Rule; 2],
-    method: Method,
-) -> Result<Overlay, Refused> {
+/// Groups edges, each of one of two operands, without those that cancel.
+fn supported(session: &dyn Predicates, edges: &[(Edge, usize)], rules: [Rule; 2]) -> Supports {
     let is_idle = |label: Label| {
         (0..2).all(|operand| match rules[operand] {
             Rule::EvenOdd => label[operand] % 2 == 0,
             Rule::NonZero => label[operand] == 0,
         })
     };
-    let supports = Supports::new(&*session, &edges, is_idle);
-    drop(edges);
+    Supports::new(session, edges, is_idle)
+}
+
+/// Overlays edges of two operands, and runs of them.
+fn overlaid(
+    session: &mut dyn Predicates,
+    supports: Supports,
+    runs: Vec<Run>,
+    rules: [Rule; 2],
+    method: Method,
+) -> Result<Overlay, Refused> {
     let mut arrangement = arranged(session, supports, runs, method)?;
     let (windings, agree) = result::windings(&arrangement.subdivision, &arrangement.pieces, rules);
     if !agree {

@@ -32,6 +32,8 @@ pub(super) struct Supports {
     spans: Vec<Span>,
     /// True if every segment has one span, which is the whole segment.
     pub are_whole: bool,
+    /// True if no segment is left out.
+    pub are_all: bool,
 }
 
 impl Supports {
@@ -43,7 +45,7 @@ impl Supports {
             if a < b { [a, b] } else { [b, a] }
         };
         let order = sorted(session.scene().len(), edges.len(), |at| ends(&edges[at].0));
-        let mut supports = Supports { are_whole: true, ..Supports::default() };
+        let mut supports = Supports { are_whole: true, are_all: true, ..Supports::default() };
         supports.ends.reserve(edges.len());
         supports.spans.reserve(edges.len());
         supports.first.reserve(edges.len() + 1);
@@ -58,6 +60,7 @@ impl Supports {
             let spans = &supports.spans[first..];
             if spans.iter().all(|span| is_idle(span.label)) {
                 supports.spans.truncate(first);
+                supports.are_all = false;
                 continue;
             }
             supports.are_whole &= spans.len() == 1 && [spans[0].from, spans[0].to] == support;
