@@ -8,7 +8,7 @@
 //! There are only two infinitesimals, so whole polynomials are affordable: they are cut off at a degree that most ties
 //! don't reach, then at larger ones, up to the largest possible degree.
 
-use predicament_predicates::{Question, Scene, Sign, Vertex};
+use predicament_predicates::{Construction, Question, Scene, Sign, Vertex};
 
 use super::linear;
 use super::moved::{Moved, inputs};
@@ -18,11 +18,8 @@ use super::series::{Cut, Number, Series};
 use super::{Determinant, Weight};
 use crate::integer::Integer;
 
-/// The degrees in δ at which polynomials are cut off, one after the other.
-///
-/// About input vertices the largest degree is 5, that of the four columns of spheres. Four points of three planes each
-/// have products of 4 · 7 coordinates.
-const DEGREES: [usize; 3] = [1, 5, 28];
+/// The degrees in δ at which polynomials are cut off, one after the other, before the largest one.
+const DEGREES: [usize; 2] = [1, 5];
 
 /// The side of a tie, and the deciding power of ε; `None` if the determinant is zero however far the second mesh moves.
 ///
@@ -42,8 +39,9 @@ pub(crate) fn decide(scene: &Scene, question: Question, args: &[Vertex]) -> Opti
 /// The result of `decide` by whole polynomials, for all places.
 pub(super) fn by_powers(scene: &Scene, second: &[bool], question: Question, places: &[Place]) -> Option<(Sign, usize)> {
     let (dimension, inputs) = (scene.dimension().count(), inputs(places));
-    let constructed = places.iter().any(|place| matches!(place, Place::Meet(_)));
-    let rigid = Rigid { scene, inputs: &inputs, second, constructed };
+    // The lift of a circle or sphere has degree 2, but its determinant has a row less than arguments.
+    let largest = places.iter().map(degree).sum();
+    let rigid = Rigid { scene, inputs: &inputs, second, largest };
     let (sign, power) = rigid.leading(&Determinant { dimension, question, places })?;
     let meets = places.iter().filter(|place| matches!(place, Place::Meet(_)));
     let weight = |place: &Place| rigid.leading(&Weight(*place, dimension)).map_or(Sign::Zero, |(sign, _)| sign);
@@ -51,22 +49,32 @@ pub(super) fn by_powers(scene: &Scene, second: &[bool], question: Question, plac
     Some((sign, power))
 }
 
+/// The degree of a row's coordinates in those of the input vertices.
+fn degree(place: &Place) -> usize {
+    match place {
+        Place::Input(_) | Place::Meet(Construction::Ratio { .. }) => 1,
+        Place::Meet(Construction::Ssi(_)) => 3,
+        Place::Meet(Construction::Lpi { .. }) => 4,
+        Place::Meet(Construction::Tpi(_)) => 7,
+    }
+}
+
 struct Rigid<'q> {
     scene: &'q Scene,
     inputs: &'q [Vertex],
     second: &'q [bool],
-    /// True if the question is about constructed vertices.
-    constructed: bool,
+    /// The largest possible degree of the question.
+    largest: usize,
 }
 
 impl Rigid<'_> {
     fn leading(&self, expression: &impl Expression) -> Option<(Sign, usize)> {
-        let degrees = if self.constructed { &DEGREES[..] } else { &DEGREES[..2] };
-        degrees.iter().find_map(|&largest| {
+        let mut degrees = DEGREES.into_iter().filter(|degree| *degree < self.largest).chain([self.largest]);
+        degrees.find_map(|largest| {
             let cut = Cut::new([largest, 2 * largest]);
             let series = self.series(expression, &cut);
-            let monomials = (0..=largest).flat_map(|degree| (0..=2 * degree).map(move |more| [degree, more]));
-            monomials.into_iter().find_map(|[degree, more]| {
+            let mut monomials = (0..=largest).flat_map(|degree| (0..=2 * degree).map(move |more| [degree, more]));
+            monomials.find_map(|[degree, more]| {
                 let coefficient = &series[cut.place(0, degree)? + cut.place(1, more)?];
                 (!coefficient.is_zero()).then(|| (coefficient.cmp0().into(), degree + more))
             })
