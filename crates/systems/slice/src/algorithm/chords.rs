@@ -154,7 +154,7 @@ impl Cutter<'_> {
             self.merge(&mut here);
             let alone = here.len() == 1;
             while !here.is_empty() {
-                let corner = here.remove(next_in_point(&here, from.is_some(), up));
+                let corner = here.remove(next_in_point(&here, inside == [true; 2], up));
                 let arrived = match from {
                     // A corner in one point with others, which the line does not pass through.
                     Some(_) if !alone && !self.may_open(split, &corner) => continue,
@@ -262,9 +262,9 @@ impl Cutter<'_> {
 
 /// The index of the corner that the line passes next, among corners in one point.
 ///
-/// Corners with an edge behind come first. Then the line leaves the inside, if it is there; otherwise it enters first:
-/// the inside may be as narrow as a point between the two corners. Corners that it only touches come later, and corners
-/// with an edge ahead after others of their kind.
+/// Corners with an edge behind come first. Then the line leaves the inside, if it is there on both sides; otherwise it
+/// enters first: the inside may be as narrow as a point between the two corners. Corners that it only touches come
+/// later, and corners with an edge ahead after others of their kind.
 fn next_in_point(here: &[Corner], is_inside: bool, up: Sign) -> usize {
     let rank = |&at: &usize| {
         let Corner { before, after, ahead, .. } = here[at];
