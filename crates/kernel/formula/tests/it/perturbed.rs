@@ -150,3 +150,11 @@ fn a_moved_mesh_keeps_the_ties_within_it() {
     assert_eq!(terms.programs().len(), 3);
     assert!(terms.coefficients().iter().all(|term| term.degree() == 2));
 }
+
+/// The linear term of y and the quadratic one of x both have ε².
+#[test]
+fn terms_of_a_lower_degree_in_the_move_come_first() {
+    let formula = formula("(a.x - b.x) * (a.x - b.x) - (a.y - b.y) * (a.y - b.y)", 2);
+    let terms = formula.moved_terms(&[false, true]).unwrap();
+    assert_eq!(terms.coefficients().iter().map(|term| term.degree()).collect::<Vec<_>>(), [1, 1, 0, 0]);
+}

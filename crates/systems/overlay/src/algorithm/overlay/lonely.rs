@@ -11,8 +11,8 @@
 //! without length, and in a triangle two edges are at the leftmost vertex. Two or more consecutive lonely edges form a
 //! [`Run`], whose time is that of a copy.
 //!
-//! The edges at the leftmost vertices of a loop are not part of a run: they tell the face around it. If edges cancel,
-//! these may be among them, so the caller does without runs.
+//! The edges at the leftmost vertex of a loop are not part of a run: nesting finds the face around the loop there. If
+//! these edges cancel, the next vertex to the left may be inside a run. The caller then overlays all edges.
 //!
 //! Boxes are of raw coordinates. Boxes that are apart have a distance, so no perturbation makes their edges meet.
 
