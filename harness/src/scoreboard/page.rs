@@ -102,7 +102,7 @@ pub fn page(board: &Board, task: &str, shown: &[Shown]) -> String {
         text += "\n## The smallest scene of each kind\n";
     }
     for Shown { library, grade, scene, got, suite, picture, command } in shown {
-        let _ = write!(text, "\n### `{library}`: {}, {scene}\n\n{got}\n\n", grade.name());
+        let _ = write!(text, "\n### `{library}`: {}, {scene}\n\n{}\n\n", grade.name(), literal(got));
         if let Some(picture) = picture {
             let _ = writeln!(text, "![{scene}]({picture})\n");
         }
@@ -112,6 +112,12 @@ pub fn page(board: &Board, task: &str, shown: &[Shown]) -> String {
         let _ = writeln!(text, "```sh\n{command}\n```");
     }
     text
+}
+
+/// Markdown that shows a text as it is: a program's message may hold what reads as a link, as HTML or as emphasis.
+fn literal(text: &str) -> String {
+    let escaped = |sign| if "\\`*_[<&".contains(sign) { vec!['\\', sign] } else { vec![sign] };
+    text.chars().flat_map(escaped).collect()
 }
 
 /// A cell in a few words.
@@ -142,4 +148,9 @@ pub fn csv(board: &Board) -> String {
         }
     }
     text
+}
+
+#[test]
+fn what_a_program_says_is_no_markup() {
+    assert_eq!(literal(r"Of<v8::F> [a](b) *c_d* `e` &lt; \f"), r"Of\<v8::F> \[a](b) \*c\_d\* \`e\` \&lt; \\f");
 }

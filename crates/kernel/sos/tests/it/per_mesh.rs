@@ -2,7 +2,8 @@
 
 use crate::common::{self, Random, ask_antisymmetric, grid_scene, questions};
 use predicament_exact::Exact;
-use predicament_predicates::{Axis, Backend, Construction, Counts, Off, Plane, Question, Scene, Sign, Vertex};
+use predicament_predicates::formula::{Definition, Formula};
+use predicament_predicates::{Axis, Backend, Construction, Counts, Derived, Off, Plane, Question, Scene, Sign, Vertex};
 use predicament_sos::{PerMesh, infinitesimal::judge_per_mesh};
 
 fn scene(random: &mut Random, dimension: usize, points: usize) -> Scene {
@@ -132,7 +133,6 @@ fn lines_and_planes_of_one_mesh_move_as_one() {
     assert!(ties > 200 && zeros > 50, "{ties} {zeros}");
 }
 
-/// The first nonzero derivative decides: that by x, y or z.
 /// In units of the least coordinate, terms of different degrees in the move change their proportion.
 ///
 /// The turns of the first scenes are −2·ε³ + ε·ε² + ε²·ε² and −ε³ + ε·ε² + ε²·ε² if the move is (ε, ε², ε³).
@@ -205,6 +205,20 @@ fn no_answer_depends_on_the_unit_of_length() {
     assert!(ties > 500, "{ties}");
 }
 
+/// The formula is δy − δx² where d moves from c: ε² − ε·ε, which is zero, if only the powers of ε count.
+#[test]
+fn ties_of_formulas_are_decided_by_the_lowest_degree() {
+    let text = "(d.y - c.y) * (b.x - a.x) - (d.x - c.x) * (d.x - c.x)";
+    let derived = Derived::new(Formula::new(Definition::anonymous(text)).unwrap()).unwrap();
+    let points = [[0.0, 0.0], [1.0, 0.0], [3.0, 3.0], [3.0, 3.0]];
+    let scene = Scene::from_points2(&points).unwrap().with_second_mesh([Vertex::input(3)]);
+    let (question, args) = (Question::Derived(derived), derived.formula().points());
+    let args: Vec<Vertex> = args.iter().map(|name| Vertex::input(usize::from(name.as_bytes()[0] - b'a'))).collect();
+    let answer = question.ask(&PerMesh.prepare(&scene, Off).unwrap(), &args);
+    assert_eq!([answer, judge_per_mesh(&scene, question, &args)], [Sign::Positive; 2]);
+}
+
+/// The first nonzero derivative decides: that by x, y or z.
 #[test]
 fn ties_are_counted_by_the_power_that_decides() {
     // Three points of each coordinate plane, with the origin, and a point of the other mesh on all three planes.
