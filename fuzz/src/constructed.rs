@@ -75,9 +75,10 @@ fn answered(bytes: &[u8]) -> (Scene, Vec<Answered>) {
             let truth = judge.orient2d(plane, [a, b, c]);
             answered.push(ask(&session, Question::Orient2d(plane), &[a, b, c], truth));
         }
-        if dimension == Dimension::Three {
-            answered.push(ask(&session, Question::Orient3d, &any, judge.orient3d(any)));
-        }
+        answered.push(match dimension {
+            Dimension::Two => ask(&session, Question::Incircle, &any, judge.incircle(any)),
+            Dimension::Three => ask(&session, Question::Orient3d, &any, judge.orient3d(any)),
+        });
     }
     drop(session);
     (scene, answered)
@@ -168,6 +169,7 @@ mod tests {
                 let by_rounding = match (question, &args[..]) {
                     (Question::Compare(axis), &[a, b]) => judge.compare(axis, [a, b]),
                     (Question::Orient2d(plane), &[a, b, c]) => judge.orient2d(plane, [a, b, c]),
+                    (Question::Incircle, &[a, b, c, d]) => judge.incircle([a, b, c, d]),
                     (_, &[a, b, c, d]) => judge.orient3d([a, b, c, d]),
                     _ => unreachable!("as asked"),
                 };
