@@ -131,7 +131,10 @@ pub trait Predicates: Send + Sync {
     /// [`Declined`] with the reason.
     fn supports(&self, kind: PredicateKind) -> Result<(), Declined> {
         if let PredicateKind::Derived(_) = kind {
-            return Err(Declined::predicate(kind, "the backend does not evaluate formulas"));
+            return Err(Declined::predicate(
+                kind,
+                "the backend does not evaluate formulas, or its crate is built without the feature `formulas`",
+            ));
         }
         self.scene().has_dimension_for(kind)
     }

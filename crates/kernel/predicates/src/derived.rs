@@ -2,6 +2,7 @@
 
 use alloc::{borrow::ToOwned, boxed::Box, format, string::String, vec::Vec};
 use core::cmp::Ordering;
+use core::fmt;
 use core::hash::{Hash, Hasher};
 use std::sync::{OnceLock, PoisonError, RwLock};
 
@@ -12,8 +13,15 @@ use crate::{Dimension, PredicateKind, Scene, Vertex};
 /// A predicate that is derived from a formula; two are equal if name and formula are.
 ///
 /// The value is a pointer: the formula lives as long as the program.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct Derived(&'static Formula);
+
+/// The name alone: a formula and its error bounds take pages.
+impl fmt::Debug for Derived {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("Derived").field(&self.name()).finish()
+    }
+}
 
 impl Derived {
     /// The predicate of a formula, which lives as long as the program from now on.
