@@ -8,6 +8,8 @@
 use predicament_predicates::{Construction, Question, Scene, Vertex};
 use smallvec::SmallVec;
 
+use crate::integer::Integer;
+
 /// A point of a question: an input vertex, or the point where lines and planes meet.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Place {
@@ -111,10 +113,12 @@ fn simplified(construction: Construction) -> Place {
 /// Returns true if the definitions prove that the determinant of simple places is zero, wherever the input vertices
 /// are.
 ///
-/// The proof is by two names of one point or by places on a common line or plane. There may be other reasons for zero.
+/// The proof is by two names of one point, by places on a common line or plane, or by shares of segments. There may be
+/// other reasons for zero.
 pub(super) fn depend(question: Question, places: &[Place]) -> bool {
     let twice = (1..places.len()).any(|at| places[..at].contains(&places[at]));
     twice
+        || shares_depend(places)
         || match question {
             Question::Orient2d(_) => collinear(places),
             Question::Orient3d => {
@@ -127,6 +131,45 @@ pub(super) fn depend(question: Question, places: &[Place]) -> bool {
             }
             Question::Compare(_) | Question::Incircle | Question::Insphere | Question::Derived(_) => false,
         }
+}
+
+/// Returns true if shares of segments and input vertices are dependent by their weights alone, as in Menelaus' theorem.
+///
+/// Let A have a row for each place: the weights of the input vertices in it. The determinant is that of A times the
+/// rows of these vertices. So it is zero if the rows of A are dependent. Otherwise it is not zero for all vertices: the
+/// product can be any matrix whose column of weights has the sums of A's rows.
+///
+/// Fewer than three shares are dependent only on a common line or plane, which [`depend`] finds by name.
+fn shares_depend(places: &[Place]) -> bool {
+    let shares = places.iter().filter(|place| place.is_affine()).count();
+    if shares < 3 || !places.iter().all(|place| place.is_affine() || matches!(place, Place::Input(_))) {
+        return false;
+    }
+    let mut vertices: SmallVec<[Vertex; 8]> = places.iter().flat_map(Place::vertices).collect();
+    vertices.sort_unstable();
+    vertices.dedup();
+    let mut rows: SmallVec<[Vec<Integer>; 4]> = places.iter().map(|place| weights(place, &vertices)).collect();
+    while let Some(row) = rows.pop() {
+        let Some(column) = row.iter().position(|weight| !weight.is_zero()) else { return true };
+        for other in &mut rows {
+            let factor = other[column].clone();
+            for (x, weight) in other.iter_mut().zip(&row) {
+                *x = &(&*x * &row[column]) - &(&factor * weight);
+            }
+        }
+    }
+    false
+}
+
+/// The weights of input vertices in an input vertex or in a share of a segment.
+fn weights(place: &Place, vertices: &[Vertex]) -> Vec<Integer> {
+    let weight = |&v: &Vertex| match *place {
+        Place::Meet(Construction::Ratio { ends: [a, _], share }) if v == a => share.fraction()[0],
+        Place::Meet(Construction::Ratio { ends: [_, c], share }) if v == c => share.rest().fraction()[0],
+        Place::Input(input) => i64::from(v == input),
+        Place::Meet(_) => 0,
+    };
+    vertices.iter().map(|v| Integer::from(weight(v))).collect()
 }
 
 /// Returns true if all places are on one line of two vertices, or of two planes.
@@ -206,6 +249,12 @@ mod tests {
         simplified(Construction::Ratio { ends: ends.map(v), share: share.parse().unwrap() }.canonical())
     }
 
+    /// The middle of a segment, by its vertices' digits.
+    fn half(ends: &str) -> Place {
+        let mut ends = ends.bytes().map(|digit| usize::from(digit - b'0'));
+        ratio(std::array::from_fn(|_| ends.next().expect("two digits")), "1/2")
+    }
+
     fn tpi(first: [usize; 3], second: [usize; 3], third: [usize; 3]) -> Place {
         simplified(Construction::Tpi([first.map(v), second.map(v), third.map(v)]).canonical())
     }
@@ -259,6 +308,14 @@ mod tests {
             (Question::Orient3d, &[ratio([0, 1], "1/3"), ratio([1, 2], "1/3"), input(0), input(2)], true),
             (Question::Orient3d, &[ratio([0, 1], "1/3"), lpi([1, 2], [4, 5, 6]), input(0), input(2)], true),
             (Question::Orient3d, &[ratio([0, 1], "1/3"), ratio([1, 2], "1/3"), input(0), input(3)], false),
+            // Menelaus' theorem: a line across the sides of a triangle, a plane across those of a quadrilateral.
+            (turn, &[ratio([0, 1], "1/3"), ratio([1, 2], "1/3"), ratio([2, 0], "4/3")], true),
+            (turn, &[ratio([0, 1], "1/3"), ratio([1, 2], "1/3"), ratio([2, 0], "5/4")], false),
+            (Question::Orient3d, &["01", "12", "23", "03"].map(half), true),
+            (Question::Orient3d, &["01", "12", "23", "13"].map(half), false),
+            (Question::Orient3d, &[ratio([0, 1], "1/3"), ratio([0, 3], "1/3"), half("12"), half("23")], true),
+            (Question::Orient3d, &[ratio([0, 1], "1/3"), ratio([0, 3], "2/3"), half("12"), half("23")], false),
+            (Question::Orient3d, &[half("01"), half("12"), half("23"), lpi([0, 3], [4, 5, 6])], false),
             // In space: a named line, or the line of two planes.
             (turn, &[input(0), lpi([0, 1], [2, 3, 4]), input(1)], true),
             (turn, &[lpi([0, 1], [5, 6, 7]), lpi([0, 1], [2, 3, 4]), input(1)], true),
