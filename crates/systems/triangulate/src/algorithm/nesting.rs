@@ -118,11 +118,25 @@ impl<'a, P: Predicates + ?Sized> Nesting<'a, P> {
             let [a, b, c] = [left, right, c].map(|corner| self.corners.vertex[corner as usize]);
             self.view.turn(a, b, c)
         };
-        // If two loops have an edge in common, the edge of the upper loop is above.
-        let [before, after] = [self.corners.previous[corner as usize], self.corners.next[corner as usize]];
-        let sibling = if far == after { before } else { after };
-        let mut sides = [corner, far, sibling].into_iter().map(side);
-        sides.find(|sign| *sign != Sign::Zero) == Some(Sign::Positive)
+        if let Some(sign) = [corner, far].into_iter().map(side).find(|sign| *sign != Sign::Zero) {
+            return sign == Sign::Positive;
+        }
+        // Two loops have this edge in common, one on each side. The edge of the upper loop is above.
+        match [edge, other].map(|edge| self.is_inside_above(edge)) {
+            [Some(is_upper), _] => is_upper,
+            [None, Some(is_upper)] => !is_upper,
+            // Both loops begin here, with two edges to the right.
+            [None, None] => {
+                let [before, after] = [self.corners.previous[corner as usize], self.corners.next[corner as usize]];
+                side(if far == after { before } else { after }) == Sign::Positive
+            }
+        }
+    }
+
+    /// True if the inside is above an edge; `None` until the sweep has decided the direction of the edge's loop.
+    fn is_inside_above(&self, edge: u32) -> Option<bool> {
+        let goes_right = self.corners.is_before(edge, self.corners.next[edge as usize]);
+        self.turned[self.loop_of[edge as usize] as usize].map(|is_turned| goes_right != is_turned)
     }
 
     /// Decides at a loop's first corner, from the edges below it, whether the loop has the wrong direction.

@@ -11,11 +11,11 @@ use predicament_triangulate::algorithm::{
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 
-const METHODS: [Method; 2] = [Method::Ears, Method::Monotone];
+pub(super) const METHODS: [Method; 2] = [Method::Ears, Method::Monotone];
 
 type Loops = Vec<Vec<Vertex>>;
 
-fn scene(points: &[[i32; 2]]) -> Scene {
+pub(super) fn scene(points: &[[i32; 2]]) -> Scene {
     let points: Vec<[f64; 2]> = points.iter().map(|p| p.map(f64::from)).collect();
     Scene::from_points2(&points).unwrap()
 }
@@ -24,14 +24,14 @@ fn loops(of: &[&[usize]]) -> Loops {
     of.iter().map(|one| one.iter().copied().map(Vertex::input).collect()).collect()
 }
 
-fn doubled_area(points: &[[i32; 2]], corners: &[Vertex]) -> i64 {
+pub(super) fn doubled_area(points: &[[i32; 2]], corners: &[Vertex]) -> i64 {
     let at = |i: usize| points[corners[i % corners.len()].index()].map(i64::from);
     (0..corners.len()).map(|i| at(i)[0] * at(i + 1)[1] - at(i)[1] * at(i + 1)[0]).sum()
 }
 
 /// Checks that sides balance, no triangle is negative and areas add up; returns the numbers of all triangles and of
 /// triangles without area.
-fn check(points: &[[i32; 2]], loops: &Loops, found: &Triangulation) -> (usize, usize) {
+pub(super) fn check(points: &[[i32; 2]], loops: &Loops, found: &Triangulation) -> (usize, usize) {
     assert_eq!(found.broken, None, "{points:?} {loops:?}");
     let mut sides: BTreeMap<[Vertex; 2], i64> = BTreeMap::new();
     let mut add = |corners: &[Vertex], sign: i64| {
