@@ -158,8 +158,21 @@ fn place(scene: &Scene, v: Vertex) -> [Rational; 3] {
     point.try_into().unwrap()
 }
 
-/// The flaw of a limit, given the right numbers of unit cells and of squares around them.
-fn flaw(limit: &Limit, scene: &Scene, cells: usize, squares: usize) -> Option<String> {
+/// The normal of a triangle, of the length of twice its area.
+fn normal([a, b, c]: [&[Rational; 3]; 3]) -> [Rational; 3] {
+    let minor = |i: usize, j: usize| {
+        let minus = |p: &[Rational; 3], i: usize| Rational::from(&p[i] - &a[i]);
+        minus(b, i) * minus(c, j) - minus(b, j) * minus(c, i)
+    };
+    [minor(1, 2), minor(2, 0), minor(0, 1)]
+}
+
+fn dot(p: &[Rational; 3], q: &[Rational; 3]) -> Rational {
+    p.iter().zip(q).map(|(p, q)| Rational::from(p * q)).sum()
+}
+
+/// The flaw of a limit of these meshes, given the right numbers of unit cells and of squares around them.
+fn flaw(limit: &Limit, scene: &Scene, meshes: &[Arc<MaterialMesh>; 2], cells: usize, squares: usize) -> Option<String> {
     let mut place = BTreeMap::new();
     for &v in limit.solid.triangles.as_flattened() {
         place.entry(v).or_insert_with(|| self::place(scene, v));
@@ -170,19 +183,26 @@ fn flaw(limit: &Limit, scene: &Scene, cells: usize, squares: usize) -> Option<St
     }
     let mut edges: BTreeMap<[Vertex; 2], i32> = BTreeMap::new();
     let (mut volume, mut area) = (Rational::new(), Rational::new());
-    for triangle in &limit.solid.triangles {
-        let [a, b, c] = triangle.map(|v| &place[&v]);
-        let minor = |i: usize, j: usize| {
-            let minus = |p: &[Rational; 3], i: usize| Rational::from(&p[i] - &a[i]);
-            minus(b, i) * minus(c, j) - minus(b, j) * minus(c, i)
-        };
-        let normal = [minor(1, 2), minor(2, 0), minor(0, 1)];
+    let labels = limit.solid.sources.iter().zip(&limit.solid.turned);
+    if [limit.solid.sources.len(), limit.solid.turned.len()] != [limit.solid.triangles.len(); 2] {
+        return Some("not each triangle has a source".to_owned());
+    }
+    for (triangle, (source, is_turned)) in limit.solid.triangles.iter().zip(labels) {
+        let corners = triangle.map(|v| &place[&v]);
+        let normal = normal(corners);
         let own: Rational = normal.iter().map(|x| x.clone().abs()).sum();
         if own == 0 {
             return Some(format!("a triangle has no area: {triangle:?}"));
         }
+        let of = meshes[usize::from(source.mesh)].triangles()[source.triangle as usize];
+        let of = of.map(|v| self::place(scene, v));
+        let of_source = self::normal(of.each_ref());
+        let is_on_source = corners.iter().all(|corner| dot(&of_source, corner) == dot(&of_source, &of[0]));
+        if !is_on_source || (dot(&normal, &of_source) < 0) != *is_turned {
+            return Some(format!("{triangle:?} is not of its source, {source:?}, turned: {is_turned}"));
+        }
         area += own / 2;
-        volume += (0..3).map(|i| Rational::from(&normal[i] * &a[i])).sum::<Rational>() / 6;
+        volume += dot(&normal, corners[0]) / 6_u32;
         let [a, b, c] = *triangle;
         for [a, b] in [[a, b], [b, c], [c, a]] {
             *edges.entry([a.min(b), a.max(b)]).or_default() += if a < b { 1 } else { -1 };
@@ -227,13 +247,13 @@ fn flaws(cases: u64) -> (Vec<String>, Counts) {
                     all.cancelled += cancelled;
                     all.covered += covered;
                     all.divided += divided;
-                    flaw(&limit, &scene, cells.len(), squares(&cells))
+                    flaw(&limit, &scene, &pair.meshes, cells.len(), squares(&cells))
                 }
             };
             flaws.extend(why.map(|why| format!("{seed}, {}: {why}", operation.name())));
             let why = match pair.exactly(operation) {
                 Err(why) => Some(why),
-                Ok((limit, scene)) => flaw(&limit, &scene, cells.len(), squares(&cells)),
+                Ok((limit, scene)) => flaw(&limit, &scene, &pair.meshes, cells.len(), squares(&cells)),
             };
             flaws.extend(why.map(|why| format!("{seed}, {} exactly: {why}", operation.name())));
         }
