@@ -8,7 +8,8 @@
 //! 4. Caps cover the loops that this opens. A cap can have several loops, also nested ones; later planes split it like
 //!    a face. Loops of a mesh that was open are covered at the end, seen from a side from which they are simple. If
 //!    there is no such side, they stay open, and the answer lists them.
-//! 5. Faces and caps are triangulated after the last plane.
+//! 5. Faces and caps are triangulated after the last plane. Where a part touches itself, the triangle at an edge is
+//!    divided at the vertex on that edge.
 //!
 //! A plane is three vertices; *positive* is the side where [`Predicates::orient3d`] of them and a point is positive. A
 //! part is the solid on one side of each plane; it may consist of several pieces.
@@ -38,6 +39,7 @@
 mod chords;
 mod contradiction;
 mod cutter;
+mod flat;
 mod lines;
 mod output;
 mod planar;

@@ -6,6 +6,7 @@ use predicament_mesh::half_edge::{Face, HalfEdge};
 use predicament_predicates::Vertex;
 
 use super::cutter::Cutter;
+use super::flat::{Flat, divide};
 use super::{Contradiction, Part, Sliced, Source};
 use predicament_triangulate::algorithm::{Method, projection, triangulate, triangulate_few};
 
@@ -14,6 +15,8 @@ use predicament_triangulate::algorithm::{Method, projection, triangulate, triang
 struct Parts {
     /// The parts by number; parts without faces are removed at the end.
     parts: Vec<Part>,
+    /// The triangles without area, by part.
+    flats: BTreeMap<u32, Vec<Flat>>,
     broken: Option<Contradiction>,
 }
 
@@ -30,7 +33,7 @@ impl Parts {
 impl Cutter<'_> {
     /// Triangulates the parts; `before` is the number of constructions in the scene before slicing.
     pub(super) fn output(mut self, before: usize) -> Sliced {
-        let mut out = Parts { parts: vec![Part::default(); self.parts], broken: None };
+        let mut out = Parts { parts: vec![Part::default(); self.parts], ..Parts::default() };
         let faces: Vec<Face> = self.mesh.faces().collect();
         let mut caps: BTreeMap<(usize, u32), Vec<Vec<Vertex>>> = BTreeMap::new();
         for f in faces {
@@ -58,6 +61,9 @@ impl Cutter<'_> {
             self.triangulate(&mut out, part, Source::Cap(plane), support, &loops);
         }
         self.cover_open(&mut out);
+        for (part, flats) in out.flats {
+            divide(&mut out.parts[part as usize], flats);
+        }
         out.parts.retain(|part| !part.triangles.is_empty());
         Sliced {
             parts: out.parts,
@@ -74,17 +80,25 @@ impl Cutter<'_> {
             return;
         };
         // A short loop needs turns alone: an order of constructed vertices costs more, most of all where it is a tie.
-        if let [around] = loops
-            && let Some(made) = triangulate_few(&*self.session, plane, reversed, around, |_, _, _| false, |_| false)
-        {
-            out.push(part, source, made);
-            return;
+        let few = match loops {
+            [around] => triangulate_few(&*self.session, plane, reversed, around, |_, _, _| false, |_| false),
+            _ => None,
+        };
+        let mut triangles = few.unwrap_or_else(|| {
+            let made = triangulate(&*self.session, plane, reversed, loops, Method::Monotone);
+            if let Some(what) = made.broken {
+                out.broken.get_or_insert(what.into());
+            }
+            made.triangles
+        });
+        // Only loops of caps touch themselves and each other.
+        if matches!(source, Source::Cap(_)) {
+            triangles.retain(|&triangle| {
+                let flat = Flat::of(&*self.session, plane, triangle, source);
+                flat.map(|flat| out.flats.entry(part).or_default().push(flat)).is_none()
+            });
         }
-        let made = triangulate(&*self.session, plane, reversed, loops, Method::Monotone);
-        if let Some(what) = made.broken {
-            out.broken.get_or_insert(what.into());
-        }
-        out.push(part, source, made.triangles);
+        out.push(part, source, triangles);
     }
 
     /// Covers the loops that are still open.

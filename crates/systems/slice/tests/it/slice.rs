@@ -7,7 +7,7 @@ use predicament_exact::Exact;
 use predicament_mesh::HalfEdgeMesh;
 use predicament_mesh::half_edge::IndexedFaces;
 use predicament_predicates::{
-    Backend, Construction, Off, Predicates, Question, Refused, Scene, Sign, Vertex, answer_by,
+    Backend, Construction, Off, Plane, Predicates, Question, Refused, Scene, Sign, Vertex, answer_by,
 };
 use predicament_slice::algorithm::{Sliced, Source, slice};
 use predicament_sos::Sos;
@@ -136,7 +136,13 @@ fn check(shape: impl Fn(u64) -> Shape) {
             None => check_closed(sliced),
             Some(what) => wrong.push(format!("{name} {seed} {what:?} {planes:?}")),
         };
-        note("exact", &shape.sliced(&mut Exact.prepare(&scene, Off).unwrap(), &planes).unwrap());
+        let mut exact = Exact.prepare(&scene, Off).unwrap();
+        let sliced = shape.sliced(&mut exact, &planes).unwrap();
+        note("exact", &sliced);
+        let has_area = |&[a, b, c]: &[Vertex; 3]| {
+            [Plane::Xy, Plane::Yz, Plane::Zx].into_iter().any(|plane| !exact.orient2d(plane, a, b, c).is_zero())
+        };
+        assert!(sliced.parts.iter().flat_map(|part| &part.triangles).all(has_area), "{seed} {planes:?}");
         if planes.len() < 3 {
             // The session refuses if an edge lies in a plane with other vertices.
             if let Ok(sliced) = shape.sliced(&mut Sos::default().prepare(&scene, Off).unwrap(), &planes) {
