@@ -42,6 +42,8 @@ pub(super) struct Cutter<'a> {
     /// The number of parts, including parts that later planes cut completely into other parts.
     pub(super) parts: usize,
     pub(super) faces_split: u64,
+    /// True if a plane has passed through a vertex that was there before it.
+    pub(super) met_vertices: bool,
 }
 
 impl<'a> Cutter<'a> {
@@ -64,6 +66,7 @@ impl<'a> Cutter<'a> {
             sides: Vec::new(),
             parts: 1,
             faces_split: 0,
+            met_vertices: false,
         };
         let vertices: Vec<MeshVertex> = cutter.mesh.vertices().collect();
         cutter.see_new_vertices(&vertices);
@@ -74,6 +77,7 @@ impl<'a> Cutter<'a> {
     pub(super) fn cut(&mut self, place: usize) -> Result<(), Halt> {
         let plane = self.planes[place];
         self.session.orient3d_plane(plane, &self.points, &mut self.signs);
+        self.met_vertices |= self.signs.contains(&Sign::Zero);
         self.split_edges(plane)?;
         let on_plane: Vec<MeshVertex> = self.mesh.vertices().filter(|&v| self.sign(v).is_zero()).collect();
         if on_plane.is_empty() {

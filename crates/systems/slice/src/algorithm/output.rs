@@ -91,8 +91,8 @@ impl Cutter<'_> {
             }
             made.triangles
         });
-        // Only loops of caps touch themselves and each other.
-        if matches!(source, Source::Cap(_)) {
+        // Only loops of caps touch themselves and each other, and only if an edge or a vertex is on another cap.
+        if self.met_vertices && matches!(source, Source::Cap(_)) {
             triangles.retain(|&triangle| {
                 let flat = Flat::of(&*self.session, plane, triangle, source);
                 flat.map(|flat| out.flats.entry(part).or_default().push(flat)).is_none()
