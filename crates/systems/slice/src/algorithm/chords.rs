@@ -243,7 +243,12 @@ impl Cutter<'_> {
                 self.caps[cap].faces.push(new);
             }
         }
-        let of_inputs = [from, to].iter().all(|&h| !self.mesh.scene_vertex(self.mesh.end(h)).is_constructed());
+        let ends = [from, to].map(|h| self.mesh.end(h));
+        // Only loops of caps touch themselves and each other.
+        if self.met_vertices && split.cap.is_some() {
+            self.see_length(ends);
+        }
+        let of_inputs = !ends.iter().any(|&v| self.mesh.scene_vertex(v).is_constructed());
         let line = match split.line {
             _ if of_inputs => OWN_ENDS,
             Some(line) => line,

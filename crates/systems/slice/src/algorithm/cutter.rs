@@ -1,8 +1,10 @@
 //! The mesh between two planes, and the first step: the sides of vertices, and the splitting of edges.
 
+use std::collections::BTreeMap;
+
 use predicament_mesh::HalfEdgeMesh;
 use predicament_mesh::half_edge::{Face, HalfEdge, MeshVertex};
-use predicament_predicates::{Construction, Plane, Predicates, Sign, Vertex};
+use predicament_predicates::{Axis, Construction, Plane, Predicates, Sign, Vertex};
 
 use super::Halt;
 use super::lines::{Lines, OWN_ENDS};
@@ -44,6 +46,8 @@ pub(super) struct Cutter<'a> {
     pub(super) faces_split: u64,
     /// True if a plane has passed through a vertex that was there before it.
     pub(super) met_vertices: bool,
+    /// The names of vertices that edges without length join to others: the first one at the point.
+    names: BTreeMap<Vertex, Vertex>,
 }
 
 impl<'a> Cutter<'a> {
@@ -67,6 +71,7 @@ impl<'a> Cutter<'a> {
             parts: 1,
             faces_split: 0,
             met_vertices: false,
+            names: BTreeMap::new(),
         };
         let vertices: Vec<MeshVertex> = cutter.mesh.vertices().collect();
         cutter.see_new_vertices(&vertices);
@@ -105,6 +110,23 @@ impl<'a> Cutter<'a> {
             self.points.push(self.mesh.scene_vertex(v));
             self.signs.push(Sign::Zero);
         }
+    }
+
+    /// The name of a vertex in the parts.
+    pub(super) fn name(&self, v: MeshVertex) -> Vertex {
+        let v = self.mesh.scene_vertex(v);
+        self.names.get(&v).copied().unwrap_or(v)
+    }
+
+    /// Gives the ends of an edge one name if it has no length.
+    pub(super) fn see_length(&mut self, ends: [MeshVertex; 2]) {
+        let [u, v] = ends.map(|end| self.name(end));
+        if u == v || [Axis::X, Axis::Y, Axis::Z].iter().any(|&axis| !self.session.compare(axis, u, v).is_zero()) {
+            return;
+        }
+        let (first, other) = (u.min(v), u.max(v));
+        self.names.values_mut().filter(|name| **name == other).for_each(|name| *name = first);
+        self.names.insert(other, first);
     }
 
     /// The number of vertices listed.

@@ -39,9 +39,6 @@ impl Flat {
 
 /// Divides the triangles beside those without area; one without a triangle beside it is added as it is.
 pub(super) fn divide(part: &mut Part, mut flats: Vec<Flat>) {
-    if flats.is_empty() {
-        return;
-    }
     let sides = |[a, b, c]: [Vertex; 3]| [[a, b], [b, c], [c, a]];
     let all = part.triangles.iter().enumerate().flat_map(|(at, &triangle)| sides(triangle).map(|side| (side, at)));
     let mut at_side: BTreeMap<[Vertex; 2], usize> = all.collect();

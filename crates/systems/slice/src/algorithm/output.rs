@@ -21,8 +21,8 @@ struct Parts {
 }
 
 impl Parts {
-    /// Adds triangles of one source to a part. A triangle with an edge without length is dropped: its three edges
-    /// cancel each other. Loops that pass a vertex twice have such triangles.
+    /// Adds triangles of one source to a part. A triangle with a vertex twice is dropped: its three edges cancel each
+    /// other. Loops that pass a vertex twice have such triangles.
     fn push(&mut self, part: u32, source: Source, triangles: impl IntoIterator<Item = [Vertex; 3]>) {
         let part = &mut self.parts[part as usize];
         part.triangles.extend(triangles.into_iter().filter(|[a, b, c]| a != b && b != c && c != a));
@@ -106,7 +106,7 @@ impl Cutter<'_> {
         let firsts: Vec<HalfEdge> = self.mesh.boundary_loops(1).collect();
         for first in firsts {
             let part = self.mesh.vertex_user_data(self.mesh.end(first));
-            let around: Vec<Vertex> = self.mesh.vertex_loop(first).map(|v| self.mesh.scene_vertex(v)).collect();
+            let around: Vec<Vertex> = self.mesh.vertex_loop(first).map(|v| self.name(v)).collect();
             let loops = std::slice::from_ref(&around);
             let made = projection(&*self.session, loops)
                 .map(|(plane, reversed)| triangulate(&*self.session, plane, reversed, loops, Method::Monotone));
@@ -124,6 +124,6 @@ impl Cutter<'_> {
     }
 
     fn vertex(&self, h: HalfEdge) -> Vertex {
-        self.mesh.scene_vertex(self.mesh.end(h))
+        self.name(self.mesh.end(h))
     }
 }

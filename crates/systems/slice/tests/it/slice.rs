@@ -124,6 +124,13 @@ fn lattice(side: u32) -> Shape {
     Shape { points, faces, supports }
 }
 
+/// True if each triangle of the parts has an area.
+fn have_areas(sliced: &Sliced, exact: &dyn Predicates) -> bool {
+    let planes = [Plane::Xy, Plane::Yz, Plane::Zx];
+    let has_area = |&[a, b, c]: &[Vertex; 3]| planes.iter().any(|&plane| !exact.orient2d(plane, a, b, c).is_zero());
+    sliced.parts.iter().flat_map(|part| &part.triangles).all(has_area)
+}
+
 /// Slices a shape by many sets of planes through its vertices, under exact signs, and some under broken ties.
 fn check(shape: impl Fn(u64) -> Shape) {
     let mut wrong = Vec::new();
@@ -139,10 +146,7 @@ fn check(shape: impl Fn(u64) -> Shape) {
         let mut exact = Exact.prepare(&scene, Off).unwrap();
         let sliced = shape.sliced(&mut exact, &planes).unwrap();
         note("exact", &sliced);
-        let has_area = |&[a, b, c]: &[Vertex; 3]| {
-            [Plane::Xy, Plane::Yz, Plane::Zx].into_iter().any(|plane| !exact.orient2d(plane, a, b, c).is_zero())
-        };
-        assert!(sliced.parts.iter().flat_map(|part| &part.triangles).all(has_area), "{seed} {planes:?}");
+        assert!(have_areas(&sliced, &exact), "{seed} {planes:?}");
         if planes.len() < 3 {
             // The session refuses if an edge lies in a plane with other vertices.
             if let Ok(sliced) = shape.sliced(&mut Sos::default().prepare(&scene, Off).unwrap(), &planes) {
@@ -164,16 +168,20 @@ fn combs_by_planes_through_their_corners() {
 /// length joins them, which an earlier plane has made.
 #[test]
 fn a_cap_with_several_corners_in_a_point_is_split_there() {
-    let cases: [(i32, &[[usize; 3]]); 3] = [
+    let cases: [(i32, &[[usize; 3]]); 4] = [
         (3, &[[15, 4, 20], [18, 8, 23]]),
         (3, &[[11, 18, 3], [5, 0, 4], [19, 12, 3], [18, 11, 5], [18, 13, 23], [21, 16, 4]]),
         (2, &[[11, 5, 1], [7, 13, 15], [0, 9, 12], [14, 7, 5]]),
+        (2, &[[7, 5, 13], [11, 9, 6], [4, 7, 6], [12, 0, 7], [12, 13, 0], [2, 14, 4]]),
     ];
     for (teeth, planes) in cases {
         let shape = comb(teeth);
-        let sliced = shape.sliced(&mut Exact.prepare(&shape.scene(), Off).unwrap(), planes).unwrap();
+        let scene = shape.scene();
+        let mut exact = Exact.prepare(&scene, Off).unwrap();
+        let sliced = shape.sliced(&mut exact, planes).unwrap();
         assert_eq!(sliced.broken, None, "{planes:?}");
         check_closed(&sliced);
+        assert!(have_areas(&sliced, &exact), "{planes:?}");
     }
 }
 
