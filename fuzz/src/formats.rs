@@ -139,14 +139,15 @@ mod tests {
         }
     }
 
+    /// Files with a decimal that no double is printed as.
     const FILES: [&str; 7] = [
-        "x,y\n0.1,2\n\"3\",0x1p0\n",
-        r#"{"type": "LineString", "coordinates": [[0.1, 0], [1, 1]]}"#,
-        "POLYGON ((0 0, 1 0, 0 1.1, 0 0))",
-        "OFF 3 1 0\n0 0 0\n1 0 0\n0 1.1 0\n3 0 1 2\n",
-        "v 0 0 0.1\n",
-        "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0.1\n",
-        "solid\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1.1 0\nendloop\nendfacet\nendsolid\n",
+        "x,y\n0.1000000000000000001,2\n\"3\",0x1p0\n",
+        r#"{"type": "LineString", "coordinates": [[0.1000000000000000001, 0], [1, 1]]}"#,
+        "POLYGON ((0 0, 1 0, 0 1.1000000000000000001, 0 0))",
+        "OFF 3 1 0\n0 0 0\n1 0 0\n0 1.1000000000000000001 0\n3 0 1 2\n",
+        "v 0 0 0.1000000000000000001\n",
+        "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0.1000000000000000001\n",
+        "solid\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1.1000000000000000001 0\nendloop\nendfacet\nendsolid\n",
     ];
 
     #[test]
