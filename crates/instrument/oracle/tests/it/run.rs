@@ -3,13 +3,15 @@
 
 use std::sync::Arc;
 
+use predicament_corpus::Suite;
+use predicament_formats::Manifest;
 use predicament_predicates::{
     Axis, Backend, Contract, Declined, Plane, PredicateKind, Predicates, Scene, Sign, Tally, Vertex, ZeroMeaning,
 };
 use predicament_tasks::signs::SignQueries;
 use predicament_tasks::{Class, Dispute, Entry};
 
-use crate::common::{judged, judged_by_name, load, with_case};
+use crate::common::{judged, judged_by_name, load, loaded, with_case};
 
 /// A backend that answers positive to every query, or panics at the third.
 struct Stub {
@@ -65,6 +67,27 @@ impl Predicates for Session<'_> {
 
     fn insphere(&self, _: Vertex, _: Vertex, _: Vertex, _: Vertex, _: Vertex) -> Sign {
         Sign::Positive
+    }
+}
+
+/// The corners coincide, so an answer that misses the crossing says that they touch.
+#[test]
+fn a_crossing_whose_signs_are_all_within_the_band_may_be_missed() {
+    let text = r#"
+title = "t"
+[[scene]]
+name = "a-vertex-far-away"
+task = "distance"
+source = "by fuzzing"
+analysis = "Every crossing is of an edge with an end at 2^99, which makes the bands of turns wider than the rest."
+points = [[2, 1], ["0x1.fffffffffp+98", "0x1p-35"], [1, 3], ["0x1p-50", 1], [1, 3], [3, 3], ["0x1.7ffffffffp+1", "0x1.000000001p+1"], ["0x1.ffffffff8p+0", "0x1.ffffffff8p-1"]]
+from = [[3, 1, 0, 2]]
+to = [[7, 6, 5, 4]]
+"#;
+    let suite = Suite::parse(predicament_bundle::vocabulary(), "t.toml", text, None, &Manifest::default()).unwrap();
+    let loaded = loaded(&suite.scenes[0]);
+    for (backend, class) in [("exact", Class::Agree), ("tolerance", Class::InBand), ("naive", Class::Agree)] {
+        assert_eq!(judged_by_name(&loaded, backend).counts.get(class), 1, "{backend}");
     }
 }
 

@@ -74,6 +74,21 @@ pub fn meeting(scene: &Scene, pair: &Pair) -> Asked {
     }
 }
 
+/// The questions whose signs say that a pair crosses: two edges in the plane, or an edge and a triangle in space.
+#[must_use]
+pub fn crossing([first, second]: &Pair) -> Asked {
+    let (small, large) = if first.rank() <= second.rank() { (first, second) } else { (second, first) };
+    let turn = |args: [Vertex; 3]| (Question::Orient2d(Plane::Xy), args.to_vec());
+    let side = |args: [Vertex; 4]| (Question::Orient3d, args.to_vec());
+    match (small.corners(), large.corners()) {
+        (&[p, q], &[a, b]) => [[a, b, p], [a, b, q], [p, q, a], [p, q, b]].map(turn).to_vec(),
+        (&[p, q], &[a, b, c]) => {
+            [[a, b, c, p], [a, b, c, q], [p, q, a, b], [p, q, b, c], [p, q, c, a]].map(side).to_vec()
+        }
+        _ => Vec::new(),
+    }
+}
+
 /// The question whose sign is that of the squared distance of one pair minus that of the other, and true if the sign
 /// turns. `None` if the pairs are equal.
 #[must_use]

@@ -38,12 +38,15 @@ impl<'a> Bands<'a> {
     ///
     /// A pair that only one of them has is allowed if a sign that says that its nearest points are inside the features
     /// is open, or the comparison with a pair of the other one. Another kind is allowed if a sign that says that a pair
-    /// meets is open.
+    /// meets is open, or if each crossing has an open sign.
     pub(super) fn allow(&self, got: &Nearest, truth: &Truth) -> bool {
         let scene = self.session.scene();
         let wanted: Vec<Pair> = truth.pairs.iter().copied().collect();
         if got.kind != truth.kind {
-            return got.pairs.iter().chain(&wanted).any(|pair| self.any(questions::meeting(scene, pair)));
+            let crossings = &truth.crossings;
+            let can_be_missed = || crossings.iter().all(|pair| self.any(questions::crossing(pair)));
+            return got.pairs.iter().chain(&wanted).any(|pair| self.any(questions::meeting(scene, pair)))
+                || !crossings.is_empty() && can_be_missed();
         }
         let only = |these: &[Pair], others: &[Pair]| {
             let others = others.to_vec();

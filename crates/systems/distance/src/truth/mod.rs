@@ -28,6 +28,8 @@ pub struct Truth {
     pub squared: Rational,
     /// The nearest pairs of features; empty if the objects cross or one is inside the other.
     pub pairs: BTreeSet<Pair>,
+    /// The pairs of features that cross: two edges in the plane, an edge and a triangle in space.
+    pub crossings: BTreeSet<Pair>,
 }
 
 /// The nearest points of a pair of features in a scene; `None` if they are not single, or not inside the features.
@@ -70,7 +72,7 @@ impl Truth {
             objects.iter().flat_map(|object| object.vertices()).map(|v| (v, point(scene, v))).collect();
         let extents = objects.map(|object| object.parts().map(|part| extent(scene, part)).collect::<Vec<Extent>>());
         let (mut least, mut pairs): (Option<Rational>, BTreeSet<Pair>) = (None, BTreeSet::new());
-        let (mut seen, mut crosses): (BTreeSet<Pair>, bool) = (BTreeSet::new(), false);
+        let (mut seen, mut crossings): (BTreeSet<Pair>, BTreeSet<Pair>) = (BTreeSet::new(), BTreeSet::new());
         // Near parts first, so that few pairs need rationals.
         let mut order: Vec<(f64, usize, usize)> = Vec::new();
         for (i, one) in extents[0].iter().enumerate() {
@@ -101,7 +103,7 @@ impl Truth {
                     let corners = |feature: &Feature| feature.corners().iter().map(|v| &points[v]).collect::<Vec<_>>();
                     let Some(found) = solved::solved(&corners(&first), &corners(&second)) else { continue };
                     if rank == dimension {
-                        crosses = true;
+                        crossings.insert([first, second]);
                     } else if least.as_ref().is_none_or(|least| found.squared < *least) {
                         limit = above(&found.squared);
                         (least, pairs) = (Some(found.squared), BTreeSet::from([[first, second]]));
@@ -114,6 +116,7 @@ impl Truth {
         let squared = least.unwrap_or_default();
         let inside =
             |one: usize, other: usize| inside::has_inside(scene, objects[other], objects[one].vertices().into_iter());
+        let crosses = !crossings.is_empty();
         let kind = match squared == 0 || crosses {
             true if crosses || inside(0, 1) || inside(1, 0) => Kind::Crossing,
             true => Kind::Touching,
@@ -122,7 +125,7 @@ impl Truth {
         };
         let has_pairs = matches!(kind, Kind::Apart | Kind::Touching);
         let squared = if kind.is_zero() { Rational::new() } else { squared };
-        Ok(Truth { kind, squared, pairs: if has_pairs { pairs } else { BTreeSet::new() } })
+        Ok(Truth { kind, squared, pairs: if has_pairs { pairs } else { BTreeSet::new() }, crossings })
     }
 }
 
