@@ -70,7 +70,7 @@ impl Predicates for Session<'_> {
     }
 }
 
-/// The corners coincide, so an answer that misses the crossing says that they touch.
+/// The loops have a corner in common, so an answer that misses the crossings says that the loops touch.
 #[test]
 fn a_crossing_whose_signs_are_all_within_the_band_may_be_missed() {
     let text = r#"

@@ -1,4 +1,7 @@
 //! The questions about pairs of features, as data: the algorithm asks them, and the judge decides bands by them.
+//!
+//! The algorithm asks the questions about crossings one by one, since the first signs mostly suffice (`pairs.rs`). Here
+//! they are a list for the judge.
 
 use predicament_predicates::{Axis, Dimension, Plane, PredicateKind, Question, Scene, Vertex};
 
