@@ -63,3 +63,38 @@ impl<'a> Bands<'a> {
             && only(&wanted, &got.pairs).iter().all(|pair| is_allowed(pair, &got.pairs))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::atomic::AtomicBool;
+
+    use predicament_predicates::{Backend, Dimension, Off, Scene};
+    use predicament_tasks::Watch;
+    use predicament_tolerance::Tolerance;
+
+    use super::super::TwoObjects;
+    use super::*;
+    use crate::answer::Kind;
+
+    /// True if a tolerance may say that a segment along the x-axis is apart from these edges, which all cross it.
+    fn may_be_missed(edges: &[[[f64; 2]; 2]]) -> bool {
+        let points: Vec<f64> = [[[-5.0, 0.0], [5.0, 0.0]].as_slice(), edges.as_flattened()].concat().concat();
+        let scene = Scene::new(Dimension::Two, points).unwrap();
+        let edge = |at: usize| vec![Vertex::input(2 * at), Vertex::input(2 * at + 1)];
+        let parts = [vec![edge(0)], (1..=edges.len()).map(edge).collect()];
+        let content = TwoObjects::new(Dimension::Two, parts);
+        let never = AtomicBool::new(false);
+        let truth = Truth::new(&scene, content.objects(), &Watch::new(&never, None, &|_| {})).unwrap();
+        assert_eq!((truth.kind, truth.crossings.len()), (Kind::Crossing, edges.len()));
+        let tolerance = Tolerance::<f64>::default();
+        let session = tolerance.prepare(&scene, Off).unwrap();
+        Bands::new(&session).allow(&Nearest { kind: Kind::Apart, pairs: Vec::new() }, &truth)
+    }
+
+    #[test]
+    fn one_sure_crossing_is_not_missed() {
+        let (sure, slight) = ([[0.0, -1.0], [0.0, 1.0]], [[3.0, -1e-17], [3.0, 1.0]]);
+        assert!(may_be_missed(&[slight]));
+        assert!(!may_be_missed(&[sure]) && !may_be_missed(&[sure, slight]));
+    }
+}
