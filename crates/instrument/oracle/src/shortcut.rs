@@ -156,9 +156,14 @@ impl<T: Tally> ByList<'_, T> {
 }
 
 /// Answers a batch of the exact session, then its ties one by one.
+///
+/// The exact session lacks constructed vertices: the session of `sos` answers a batch with one.
 macro_rules! break_ties {
     ($($method:ident($($name:ident: $type:ty),*), $of:ident: $item:ty => $question:expr, $args:expr;)+) => {
         $(fn $method(&self, $($name: $type,)* of: &[$item], out: &mut [Sign]) {
+            if of.as_flattened().iter().any(|v| v.is_constructed()) {
+                return self.sos.$method($($name,)* of, out);
+            }
             self.exact.$method($($name,)* of, out);
             for ($of, out) in of.iter().zip(out) {
                 if out.is_zero() {

@@ -1,7 +1,7 @@
 //! Tests of backends by name.
 
 use predicament_oracle::roster::{DEFAULT, HELP, MORE, backend};
-use predicament_predicates::{Construction, Dimension, Plane, Question, Scene, Sign, Vertex};
+use predicament_predicates::{Axis, Construction, Dimension, Plane, Question, Scene, Sign, Vertex};
 
 #[test]
 fn every_backend_has_the_name_it_is_picked_by() {
@@ -59,4 +59,42 @@ fn a_backend_behind_a_pointer_is_the_backend() {
     let crossing = Construction::Ssi([[a, d], [b, c]]);
     per_mesh.with_session(&scene, &mut |session| constructed = Some(session.construct(&[crossing]).unwrap())).unwrap();
     assert!(constructed.unwrap()[0].is_constructed());
+}
+
+/// A control without a device answers batches about constructed vertices as single queries of the whole.
+#[test]
+fn batches_about_constructed_vertices_do_not_depend_on_a_device() {
+    let scene = Scene::new(Dimension::Two, vec![0.0, 0.0, 4.0, 4.0, 0.0, 4.0, 4.0, 0.0, 2.0, 2.0]).unwrap();
+    let [a, b, c, d, centre] = [0, 1, 2, 3, 4].map(Vertex::input);
+    let answers = |name: &str, by_batch: bool| {
+        let mut answers = Vec::new();
+        let mut ask = |session: &mut dyn predicament_predicates::Predicates| {
+            let crossing = session.construct(&[Construction::Ssi([[a, b], [c, d]])]).unwrap()[0];
+            let (pairs, turns) = ([[a, crossing], [crossing, centre], [b, d]], [[a, crossing, centre], [a, c, d]]);
+            let mut out = [Sign::Zero; 5];
+            let (first, last) = out.split_at_mut(3);
+            if by_batch {
+                session.compare_batch(Axis::X, &pairs, first);
+                session.orient2d_batch(Plane::Xy, &turns, last);
+            } else {
+                first.copy_from_slice(&pairs.map(|[a, b]| session.compare(Axis::X, a, b)));
+                last.copy_from_slice(&turns.map(|[a, b, c]| session.orient2d(Plane::Xy, a, b, c)));
+            }
+            answers = out.to_vec();
+        };
+        backend(name, &()).unwrap().with_session(&scene, &mut ask).unwrap();
+        answers
+    };
+    let controls = [
+        ("sos", ["leading", "nothing"].as_slice()),
+        ("exact", &["plan", "static", "semi-static", "doubles", "integers", "batch", "near-search", "empty-cells"]),
+    ];
+    for (base, devices) in controls {
+        let whole = answers(base, false);
+        assert_eq!(whole.contains(&Sign::Zero), base == "exact", "{whole:?}");
+        for device in devices {
+            let name = format!("{base}:without={device}");
+            assert_eq!([answers(&name, true), answers(&name, false)], [whole.clone(), whole.clone()], "{name}");
+        }
+    }
 }
