@@ -1,7 +1,8 @@
 //! Benchmark: unions of large polygons on one thread, under exact and perturbed predicates, by a grid and by a sweep;
 //! and once on all threads.
 //!
-//! The feature `peers` adds `i_overlay` and `geo`: they run on the same coordinates in the same run, in turns. The aim:
+//! The feature `peers` adds `i_overlay` and `geo`: they run on the same coordinates in the same run, in turns. Each way
+//! has a process of its own: in a shared one, its time depends on the memory that other ways have given back. The aim:
 //! two stars of 10^5 edges each within twice the time of `i_overlay`, which rounds to a grid of integers, and faster
 //! than `geo` and GEOS.
 //!
@@ -140,54 +141,90 @@ fn program(rings: &[Vec<Vec<[f64; 2]>>; 2]) -> Option<Way<'_>> {
     Some(("program", Box::new(run)))
 }
 
+/// Calls a function with all ways to overlay a shape of this size.
+fn with_ways(name: &str, n: usize, call: impl FnOnce(&[Way<'_>])) {
+    let all = std::thread::available_parallelism().map_or(1, usize::from);
+    let threads = rayon::ThreadPoolBuilder::new().num_threads(all).build().expect("threads");
+    let (scene, layers) = if name == "smooth" { smooth(n) } else { scene(name, n) };
+    let rings = rings(&scene, &layers);
+    let sos = Sos::default();
+    let (_, on_one) = ours("exact, grid", &Exact, &scene, &layers, Method::Grid);
+    let mut ways: Vec<Way<'_>> = vec![
+        ours("exact, grid", &Exact, &scene, &layers, Method::Grid),
+        ("exact, all threads", Box::new(|| threads.install(&on_one))),
+        ours("sos, grid", &sos, &scene, &layers, Method::Grid),
+    ];
+    if n <= 100_000 {
+        ways.push(ours("exact, sweep", &Exact, &scene, &layers, Method::Sweep));
+    }
+    if let Some(rings) = &rings {
+        ways.extend(peers(rings));
+        ways.extend(program(rings));
+    }
+    call(&ways);
+}
+
+/// The word for a process that times one way.
+const ALONE: &str = "alone";
+
+/// The time of a way in a process of its own, and the size of its result.
+///
+/// In one process for all it would depend on the memory that the ways before have given back.
+fn alone(name: &str, n: usize, way: usize) -> (Duration, usize) {
+    let program = std::env::current_exe().expect("this program");
+    let asked = [ALONE, name, &n.to_string(), &way.to_string()];
+    let out = Command::new(program).args(asked).stderr(Stdio::inherit()).output().expect("a process");
+    let told = String::from_utf8_lossy(&out.stdout);
+    let (seconds, count) = told.trim().split_once(' ').unwrap_or_else(|| panic!("{name} of {n}: no time of way {way}"));
+    (Duration::from_secs_f64(seconds.parse().expect("seconds")), count.parse().expect("a number"))
+}
+
+/// Prints the seconds that a way takes in its second run, and the size of its result.
+fn time_alone(name: &str, n: usize, way: usize) {
+    with_ways(name, n, |ways| {
+        let (_, run) = &ways[way];
+        // The first run gets memory from the system.
+        black_box(run());
+        let start = Instant::now();
+        let (count, own) = black_box(run());
+        println!("{} {count}", own.unwrap_or_else(|| start.elapsed()).as_secs_f64());
+    });
+}
+
 fn main() {
     // One thread for everything; index structures would use all.
     rayon::ThreadPoolBuilder::new().num_threads(1).build_global().expect("no pool before");
-    let wanted: Vec<String> = std::env::args().skip(1).filter(|argument| !argument.starts_with('-')).collect();
+    let words: Vec<String> = std::env::args().skip(1).filter(|argument| !argument.starts_with('-')).collect();
+    if let [first, name, n, way] = &words[..]
+        && first == ALONE
+    {
+        return time_alone(name, n.parse().expect("a size"), way.parse().expect("a number"));
+    }
     let sizes = [
         ("stars", [10_000, 100_000]),
         ("smooth", [10_000, 100_000]),
         ("combs", [400, 2_000]),
         ("segments", [10_000, 1_000_000]),
     ];
-    let all = std::thread::available_parallelism().map_or(1, usize::from);
-    let threads = rayon::ThreadPoolBuilder::new().num_threads(all).build().expect("threads");
-    for (name, sizes) in sizes.into_iter().filter(|(name, _)| wanted.is_empty() || wanted.iter().any(|w| w == name)) {
+    for (name, sizes) in sizes.into_iter().filter(|(name, _)| words.is_empty() || words.iter().any(|w| w == name)) {
         for n in sizes {
-            let (scene, layers) = if name == "smooth" { smooth(n) } else { scene(name, n) };
-            let rings = rings(&scene, &layers);
-            let sos = Sos::default();
-            let (_, on_one) = ours("exact, grid", &Exact, &scene, &layers, Method::Grid);
-            let mut ways: Vec<Way<'_>> = vec![
-                ours("exact, grid", &Exact, &scene, &layers, Method::Grid),
-                ("exact, all threads", Box::new(|| threads.install(&on_one))),
-                ours("sos, grid", &sos, &scene, &layers, Method::Grid),
-            ];
-            if n <= 100_000 {
-                ways.push(ours("exact, sweep", &Exact, &scene, &layers, Method::Sweep));
-            }
-            if let Some(rings) = &rings {
-                ways.extend(peers(rings));
-                ways.extend(program(rings));
-            }
-            let mut times = vec![Vec::new(); ways.len()];
-            let mut corners = vec![0; ways.len()];
+            let mut names = Vec::new();
+            with_ways(name, n, |ways| names.extend(ways.iter().map(|(name, _)| *name)));
+            let mut times = vec![Vec::new(); names.len()];
+            let mut corners = vec![0; names.len()];
             for _ in 0..ROUNDS {
-                for ((_, way), (times, corners)) in ways.iter().zip(times.iter_mut().zip(&mut corners)) {
+                for (way, (times, corners)) in times.iter_mut().zip(&mut corners).enumerate() {
                     // A slow run is measured once.
                     if times.first().is_none_or(|first: &Duration| first.as_secs_f64() < 2.0) {
-                        // Otherwise its time would depend on the memory that the way before has given back.
-                        black_box(way());
-                        let start = Instant::now();
-                        let (count, own) = black_box(way());
-                        times.push(own.unwrap_or_else(|| start.elapsed()));
+                        let (time, count) = alone(name, n, way);
+                        times.push(time);
                         *corners = count;
                     }
                 }
             }
             println!("{name} of {n}, {ROUNDS} rounds in turns, medians:");
             let first = median(&mut times[0]);
-            for (((way, _), times), corners) in ways.iter().zip(&mut times).zip(&corners) {
+            for ((way, times), corners) in names.iter().zip(&mut times).zip(&corners) {
                 let time = median(times);
                 println!("  {way:18} {time:10.2} ms   {:6.2} × ours   {corners} corners", time / first);
             }
