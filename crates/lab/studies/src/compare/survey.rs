@@ -131,6 +131,10 @@ pub(crate) fn measures_of(
     let task = group.task;
     let judged = loaded.par_iter().map(|scene| {
         let case = task.case(scene, watch).map_err(Error::from)?;
+        if let Some(dispute) = case.dispute() {
+            let Group { kind, family, .. } = group;
+            return Err(Error::unfit(format!("{}, {kind} {family}, is not judged: {dispute}", task.name())));
+        }
         let places = scene.content::<Complexes>().map(|content| exact_places(&scene.scene, content));
         let asked = (&*task.kinds(&scene.scene), task.constructs_vertices());
         let of = |backend: &&dyn Contestant| -> Result<(Outcome, Option<i32>, Errors), Error> {

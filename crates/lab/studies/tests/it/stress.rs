@@ -131,6 +131,13 @@ fn a_knob_that_does_not_fit_a_task_is_listed_with_the_reason() {
     assert!(table_row(&found, "cube-union").contains(" n/a |"));
 }
 
+/// A scene that is not valid would be a backend's mistake in the tables.
+#[test]
+fn scenes_are_valid_for_their_task_at_every_position() {
+    let knobs: Vec<Knob> = Knob::ALL.into_iter().filter(|&knob| knob != Knob::Size).collect();
+    stressed(&Stress { tuples: 0, scenes: 1, ..study(&[], &knobs) }, &[]);
+}
+
 /// The first row of a task in the page.
 fn table_row(of: &Stressed, task: &str) -> String {
     let page = study(&[], &[]).page(of);

@@ -127,8 +127,11 @@ impl Task for MeshRays {
         Some(&replies::Judge)
     }
 
-    fn turns(&self, _: Knob) -> Turns {
-        Turns::Everywhere
+    fn turns(&self, knob: Knob) -> Turns {
+        match knob {
+            Knob::Translation => Turns::UpTo(48, "both points of a ray are rounded to one place"),
+            _ => Turns::Everywhere,
+        }
     }
 
     fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
