@@ -236,7 +236,8 @@ impl<P: Predicates + ?Sized> Search<'_, '_, P> {
         let mut touches = false;
         for (at, [u, v]) in edges(corners).into_iter().enumerate() {
             match [is_on[at], is_on[(at + 1) % 3]] {
-                [true, true] => {
+                // (An edge without length has no points but its ends.)
+                [true, true] if asking.order(u, v) != Sign::Zero => {
                     let between = [u, v].map(|v| (Feature::Vertex(v), asking.place(v))).to_vec();
                     touches |= self.interval(edge(u, v), between);
                 }

@@ -104,29 +104,44 @@ fn a_tolerance_registers_what_is_near() {
     assert_ne!(near[0].groups, exact[0].groups, "the vertex is within the band");
 }
 
-/// Triangles, queries, and the place of their extent among all.
-type Soup = (Vec<[[i8; 3]; 3]>, Vec<[[i8; 3]; 2]>, usize);
+#[test]
+fn an_edge_between_two_vertices_at_one_place_is_not_hit() {
+    let points = [[0., 0., 0.], [0., 0., 0.], [4., 0., 0.], [0., 4., 0.]];
+    let rays = [[[0., 0., -1.], [0., 0., 1.]], [[-1., -1., 0.], [1., 1., 0.]]];
+    for extent in Extent::ALL {
+        let (scene, content) = scene(&points, &[[0, 1, 2], [0, 3, 1], [0, 2, 3]], &rays, extent);
+        let exact = solved(&mut Exact.prepare(&scene, Off).unwrap(), &content);
+        assert_eq!(describe(&exact[0].groups), "vertex 4 and vertex 5");
+        agrees(&scene, &content);
+    }
+}
+
+/// Triangles, queries, the place of their extent among all, and whether corners at one place are one vertex.
+type Soup = (Vec<[[i8; 3]; 3]>, Vec<[[i8; 3]; 2]>, usize, bool);
 
 /// Triangles with small coordinates, in which ties are common, and queries among them.
 fn soup() -> impl Strategy<Value = Soup> {
     let point = || [-2_i8..=2, -2_i8..=2, -2_i8..=2];
     let triangles = proptest::collection::vec([point(), point(), point()], 1..7);
     let rays = proptest::collection::vec([point(), point()], 1..4);
-    (triangles, rays, 0..3_usize)
+    (triangles, rays, 0..3_usize, any::<bool>())
 }
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(predicament_effort::cases(2_000)))]
 
     #[test]
-    fn hits_are_those_of_the_truth((triangles, rays, extent) in soup()) {
+    fn hits_are_those_of_the_truth((triangles, rays, extent, is_shared) in soup()) {
         let double = |point: [i8; 3]| point.map(f64::from);
-        let is_triangle = |[a, b, c]: &&[[i8; 3]; 3]| a != b && b != c && c != a;
-        // Corners with equal coordinates are one vertex, so that triangles share edges.
+        let is_triangle = |[a, b, c]: &[[i8; 3]; 3]| !is_shared || a != b && b != c && c != a;
+        // If corners at one place are one vertex, triangles share edges. Otherwise edges can have no length.
         let (mut points, mut corners): (Vec<[i8; 3]>, Vec<[usize; 3]>) = (Vec::new(), Vec::new());
-        for triangle in triangles.iter().filter(is_triangle) {
+        for mut triangle in triangles.into_iter().filter(is_triangle) {
+            if !is_shared && points.len() % 2 == 0 {
+                triangle[1] = triangle[0];
+            }
             corners.push(triangle.map(|point| {
-                points.iter().position(|other| *other == point).unwrap_or_else(|| {
+                points.iter().position(|other| is_shared && *other == point).unwrap_or_else(|| {
                     points.push(point);
                     points.len() - 1
                 })
